@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// Snapshots as text. Each field is its name, then its value; a list is its length, then its entries; numbers have the
+// shortest digits that read back exactly, texts are quoted. One listing of the fields serves writing and reading:
+//
+//   flipbook-snapshot 1
+//   title "FLIP 0.97"
+//   time 0.4
+//   x 4 0.125 0.125 0.375 0.125
+//   ...
+#include "sim/frame/snapshot.h"
+
+#include "sim/frame/text_archive.h"
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+namespace flipbook {
+namespace {
+
+constexpr std::string_view magic = "flipbook-snapshot 1";
+
+template <class Archive> void fields(Archive& a, Parameter& p) {
+  a.field("path", p.path);
+  a.enumeration("kind", p.kind, static_cast<int>(Kind::names));
+  a.value("value", p.value, p.kind);
+  a.field("help", p.help);
+  a.field("unit", p.unit);
+  a.field("min", p.min);
+  a.field("max", p.max);
+  a.field("options", p.options);
+  a.field("option_help", p.option_help);
+  a.enumeration("level", p.level, static_cast<int>(Level::expert));
+  a.enumeration("effect", p.effect, static_cast<int>(Effect::restart));
+  a.field("applies", p.applies);
+}
+
+template <class Archive> void fields(Archive& a, Channel& c) {
+  a.field("name", c.name);
+  a.field("unit", c.unit);
+  a.field("lo", c.lo);
+  a.field("hi", c.hi);
+  a.field("diverging", c.diverging);
+  a.field("values", c.values);
+}
+
+template <class Archive> void fields(Archive& a, LatticeData& l) {
+  a.field("name", l.name);
+  a.field("n", l.n);
+  a.field("origin", l.origin);
+  a.field("dx", l.dx);
+  a.field("values", l.values);
+}
+
+template <class Archive> void fields(Archive& a, History::Column& c) {
+  a.field("name", c.name);
+  a.field("unit", c.unit);
+  a.field("y", c.y);
+}
+
+template <class Archive, class T> void each(Archive& a, std::string_view name, std::vector<T>& list) {
+  a.length(name, list);
+  for (T& x : list) fields(a, x);
+}
+
+template <class Archive> void fields(Archive& a, Snapshot& s, History& history, bool& has_history) {
+  a.field("title", s.title);
+  a.field("scheme", s.scheme);
+  a.field("kernel", s.kernel);
+  a.field("solver", s.solver);
+  each(a, "parameters", s.parameters);
+  a.field("notes", s.notes);
+  a.field("frame", s.frame);
+  a.field("time", s.time);
+  a.field("steps", s.steps);
+  a.field("dt", s.dt);
+  a.field("pressure_iterations", s.pressure_iterations);
+  a.field("pressure_residual", s.pressure_residual);
+  a.field("dim", s.dim);
+  a.field("lo", s.lo);
+  a.field("hi", s.hi);
+  a.field("cells", s.cells);
+  a.field("dx", s.dx);
+  a.field("periodic", s.periodic);
+  a.field("particle_spacing", s.particle_spacing);
+  a.field("x", s.x);
+  a.field("v", s.v);
+  a.field("id", s.id);
+  each(a, "channels", s.channels);
+  each(a, "lattices", s.lattices);
+  a.field("history", has_history);
+  if (!has_history) return;
+  a.field("t", history.t);
+  each(a, "columns", history.columns);
+}
+
+/// What drawing relies on: every array has the length that the others imply.
+void check(const Snapshot& s, const std::string& path) {
+  const auto require = [&path](bool holds, const std::string& message) {
+    if (!holds) throw UserError(message, Location{path});
+  };
+  require(s.dim == 2 || s.dim == 3, "dim must be 2 or 3");
+  require(s.dx > 0, "dx must be positive");
+  const std::size_t numbers = s.particles() * static_cast<std::size_t>(s.dim);
+  require(s.x.size() == numbers, "x must hold " + std::to_string(numbers) + " numbers, one per particle and axis");
+  require(s.v.size() == numbers, "v must hold " + std::to_string(numbers) + " numbers, one per particle and axis");
+  for (const Channel& c : s.channels)
+    require(c.values.size() == s.particles(), "channel \"" + c.name + "\" must hold a number for each particle");
+  for (const LatticeData& l : s.lattices) {
+    std::size_t samples = 1;
+    for (const int n : l.n) {
+      require(n >= 1 && n <= 1 << 20, "lattice \"" + l.name + "\" has an impossible size");
+      samples *= static_cast<std::size_t>(n);
+    }
+    require(l.values.size() == samples, "lattice \"" + l.name + "\" must hold " + std::to_string(samples) + " numbers");
+  }
+  if (!s.history) return;
+  for (const History::Column& c : s.history->columns)
+    require(c.y.size() == s.history->t.size(), "curve \"" + c.name + "\" must be as long as its times");
+}
+
+template <class T> std::size_t heap(const std::vector<T>& v) {
+  return v.capacity() * sizeof(T);
+}
+
+} // namespace
+
+std::size_t Snapshot::bytes() const {
+  std::size_t sum = sizeof *this + heap(x) + heap(v) + heap(id) + heap(parameters);
+  for (const Channel& c : channels) sum += sizeof c + heap(c.values);
+  for (const LatticeData& l : lattices) sum += sizeof l + heap(l.values);
+  if (history) {
+    sum += sizeof *history + heap(history->t);
+    for (const History::Column& c : history->columns) sum += sizeof c + heap(c.y);
+  }
+  return sum;
+}
+
+void save_snapshot(const Snapshot& s, const std::string& path) {
+  Snapshot copy = s; // the listing of the fields is shared with reading, which writes to them
+  History history = s.history ? *s.history : History{};
+  bool has_history = s.history != nullptr;
+  TextWriter writer;
+  writer.text.append(magic).append("\n");
+  fields(writer, copy, history, has_history);
+
+  const std::string part = path + ".part";
+  std::ofstream file(part, std::ios::binary);
+  file << writer.text;
+  file.close();
+  if (!file || std::rename(part.c_str(), path.c_str()) != 0) {
+    std::remove(part.c_str());
+    throw MachineError("cannot write the snapshot " + path);
+  }
+}
+
+Snapshot load_snapshot(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream content;
+  if (!file || !(content << file.rdbuf())) throw UserError("cannot read the snapshot", Location{path});
+  const std::string text = std::move(content).str();
+  if (!text.starts_with(std::string(magic) + "\n"))
+    throw UserError("is not a snapshot: its first line must be \"" + std::string(magic) + "\"", Location{path, 1, 1});
+
+  TextReader reader(std::string_view(text).substr(magic.size()), path);
+  Snapshot s;
+  auto history = std::make_shared<History>();
+  bool has_history = false;
+  fields(reader, s, *history, has_history);
+  reader.end();
+  if (has_history) s.history = std::move(history);
+  check(s, path);
+  return s;
+}
+
+} // namespace flipbook
