@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// The affine modes: what a particle remembers besides its velocity (A_p), what it paints with it and how it gathers it.
+// With r = x_i - x_p and the weights of component a's lattice (w_a, D_a = sum w_a r r^T, diagonal):
+//
+//   none    paints v_a                      gathers nothing
+//   rigid   paints v_a + omega . (r x e_a)  omega = K^-1 L,  L = sum_a sum_i w_ai (r x e_a) u_ai,
+//                                                            K = sum_a sum_i w_ai (r x e_a)(r x e_a)^T
+//   full    paints v_a + c_a . r            c_a = sum_i D_a^-1 w_ai r u_ai      (c_a: row a of C)
+//
+// On nodes, L and K are the angular momentum and the inertia tensor of the tech report of APIC, divided by m_p; on MAC
+// faces each component uses its own samples. K is diagonal in every case, because first moments of the weights vanish.
+#pragma once
+
+#include "sim/core/cross.h"
+#include "sim/core/particles.h"
+#include "sim/transfer/stencil.h"
+
+#include <limits>
+
+namespace flipbook {
+
+/// Remembers nothing.
+template <int Dim, class Real> struct NoneMode {
+  static constexpr AffineMode mode = AffineMode::none;
+  using Second = NoSecond;
+  std::array<Real, 0> state;
+
+  [[nodiscard]] Real slope(int, int) const { return 0; }
+  template <class Stencil> void gather(const Stencil&, const std::array<Gathered<Dim, Real>, Dim>&, Real) {}
+};
+
+/// Remembers the spin omega.
+template <int Dim, class Real> struct RigidMode {
+  static constexpr AffineMode mode = AffineMode::rigid;
+  using Second = MomentWeights;
+  std::array<Real, spin<Dim>> state{}; ///< omega
+
+  /// d(painted v_a)/dr_d = omega . (e_d x e_a).
+  [[nodiscard]] Real slope(int a, int d) const {
+    return a == d ? Real(0) : static_cast<Real>(cross_sign<Dim>(d, a)) * state[axis(d, a)];
+  }
+
+  template <class Stencil>
+  void gather(const Stencil& stencil, const std::array<Gathered<Dim, Real>, Dim>& u, Real inverse_dx) {
+    std::array<Real, spin<Dim>> L{}, K{};
+    for (int a = 0; a < Dim; ++a)
+      for (int d = 0; d < Dim; ++d) {
+        if (a == d) continue;
+        const auto& moments = u[static_cast<std::size_t>(a)].first;
+        L[axis(d, a)] += static_cast<Real>(cross_sign<Dim>(d, a)) * moments[static_cast<std::size_t>(d)];
+        K[axis(d, a)] += stencil.second_moment(a, d);
+      }
+    // K vanishes only where the particle sits on its samples (linear kernel) and omega paints nothing: a
+    // pseudo-inverse.
+    for (std::size_t c = 0; c < state.size(); ++c)
+      state[c] = K[c] > std::numeric_limits<Real>::min() ? L[c] / K[c] * inverse_dx : Real(0);
+  }
+
+private:
+  static constexpr std::size_t axis(int d, int a) { return static_cast<std::size_t>(cross_axis<Dim>(d, a)); }
+};
+
+/// Remembers the velocity gradient C, row by row.
+template <int Dim, class Real> struct FullMode {
+  static constexpr AffineMode mode = AffineMode::full;
+  using Second = AffineWeights;
+  std::array<Real, Dim * Dim> state{}; ///< C
+
+  /// d(painted v_a)/dr_d = C_ad.
+  [[nodiscard]] Real slope(int a, int d) const { return state[static_cast<std::size_t>(a * Dim + d)]; }
+
+  template <class Stencil> void gather(const Stencil&, const std::array<Gathered<Dim, Real>, Dim>& u, Real inverse_dx) {
+    for (std::size_t a = 0; a < Dim; ++a)
+      for (std::size_t d = 0; d < Dim; ++d) state[a * Dim + d] = u[a].first[d] * inverse_dx;
+  }
+
+  /// C <- (C - C^T) / 2.
+  void keep_skew() {
+    for (std::size_t a = 0; a < Dim; ++a)
+      for (std::size_t d = 0; d <= a; ++d) {
+        Real &ad = state[a * Dim + d], &da = state[d * Dim + a];
+        ad = (ad - da) / 2;
+        da = -ad;
+      }
+  }
+};
+
+/// body(Mode{}) for the mode of that name.
+template <int Dim, class Real, class Body> decltype(auto) with_mode(AffineMode mode, Body&& body) {
+  switch (mode) {
+  case AffineMode::none: return body(NoneMode<Dim, Real>{});
+  case AffineMode::rigid: return body(RigidMode<Dim, Real>{});
+  case AffineMode::full: break;
+  }
+  return body(FullMode<Dim, Real>{});
+}
+
+} // namespace flipbook

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "sim/transfer/schemes.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cstdio>
+
+namespace flipbook {
+namespace {
+
+constexpr int scheme_count = static_cast<int>(std::tuple_size_v<Schemes>);
+
+/// body(scheme) for the scheme at `index` of the list.
+template <class Tuple, class Body> void with_scheme(Tuple& schemes, int index, Body&& body) {
+  int i = 0;
+  std::apply([&](auto&... s) { (void)((i++ == index && (body(s), true)) || ...); }, schemes);
+}
+
+template <class S> [[nodiscard]] constexpr bool titled() {
+  static_assert(Scheme<S>);
+  if constexpr (requires { S::parameter_in_title; }) return S::parameter_in_title;
+  return false;
+}
+
+[[nodiscard]] std::vector<Parameter> parameters_of_scheme(Schemes& schemes, int index) {
+  std::vector<Parameter> found;
+  with_scheme(schemes, index, [&](auto& s) { found = parameters_of(s); });
+  return found;
+}
+
+/// Hands one path of a component on to another visitor.
+class One final : public ParameterVisitor {
+public:
+  One(ParameterVisitor& to, std::string_view path, bool applies) : to_(to), path_(path), applies_(applies) {}
+
+protected:
+  void visit(const std::string& path, const Spec& spec, Ref ref) override {
+    if (path != path_) return;
+    Spec s = spec;
+    s.name = path_;
+    s.applies = spec.applies && applies_;
+    std::visit([&](auto& r) { pass(s, r); }, ref);
+  }
+
+private:
+  void pass(const Spec& s, bool* x) { to_.flag(s, *x); }
+  void pass(const Spec& s, double* x) { to_.real(s, *x); }
+  void pass(const Spec& s, int* x) { to_.integer(s, *x); }
+  void pass(const Spec& s, ChoiceRef& x) { to_.choice(s, x.index, x.options); }
+  void pass(const Spec& s, std::string* x) { to_.text(s, *x); }
+  void pass(const Spec& s, std::span<double> x) { to_.reals(s, x); }
+  void pass(const Spec& s, std::span<int> x) { to_.integers(s, x); }
+  void pass(const Spec& s, NamesRef& x) { to_.names(s, x.names, x.options); }
+
+  ParameterVisitor& to_;
+  std::string_view path_;
+  bool applies_;
+};
+
+[[nodiscard]] std::span<const Option> scheme_options() {
+  static const auto options = std::apply(
+      [](const auto&... s) {
+        return std::array{Option{s.name, s.summary}...};
+      },
+      Schemes{});
+  return options;
+}
+
+[[nodiscard]] std::string short_number(double x) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", x);
+  return text.data();
+}
+
+[[nodiscard]] std::string lower(std::string_view text) {
+  std::string s(text);
+  std::transform(s.begin(), s.end(), s.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return s;
+}
+
+} // namespace
+
+void TransferSettings::describe(ParameterVisitor& v) {
+  v.choice({.name = "scheme", .help = "How velocity goes between particles and grid", .level = Level::teach}, scheme,
+           scheme_options());
+  v.choice({.name = "kernel", .help = "The interpolation kernel of every transfer", .level = Level::teach}, kernel,
+           kernel_options());
+  const auto has = [&](int index, const std::string& path) {
+    const auto all = parameters_of_scheme(schemes, index);
+    return std::any_of(all.begin(), all.end(), [&](const Parameter& p) { return p.path == path; });
+  };
+  const int in_use = scheme;
+  std::vector<std::string> described;
+  for (int i = 0; i < scheme_count; ++i)
+    for (const Parameter& p : parameters_of_scheme(schemes, i)) {
+      if (std::find(described.begin(), described.end(), p.path) != described.end()) continue;
+      described.push_back(p.path);
+      const bool applies = has(in_use, p.path);
+      One one(v, p.path, applies);
+      with_scheme(schemes, applies ? in_use : i, [&](auto& s) { s.describe(one); });
+    }
+}
+
+Corner TransferSettings::corner() const {
+  Corner c;
+  with_scheme(schemes, scheme, [&](const auto& s) { c = s.corner(); });
+  return c;
+}
+
+std::string TransferSettings::name() const {
+  std::string n;
+  with_scheme(schemes, scheme, [&](const auto& s) { n = s.name; });
+  return n;
+}
+
+std::string TransferSettings::title() const {
+  std::string text;
+  with_scheme(schemes, scheme, [&]<class S>(const S& in_use) {
+    text = S::label;
+    S now = in_use, fresh;
+    const auto set = parameters_of(now), usual = parameters_of(fresh);
+    for (std::size_t i = 0; i < set.size(); ++i) {
+      const bool changed = set[i].value != usual[i].value;
+      const auto* number = std::get_if<double>(&set[i].value);
+      const auto* choice = std::get_if<std::string>(&set[i].value);
+      if (i == 0 && number && (changed || titled<S>()))
+        text += " " + short_number(*number);
+      else if (changed && choice)
+        text += " " + *choice;
+    }
+  });
+  return text;
+}
+
+std::vector<SchemeInfo> scheme_infos() {
+  std::vector<SchemeInfo> infos;
+  Schemes schemes;
+  std::apply(
+      [&](auto&... s) {
+        const auto add = [&](auto& one) {
+          SchemeInfo info{one.name, one.label, one.summary, std::nullopt};
+          if (const auto all = parameters_of(one); !all.empty()) {
+            info.first = all.front();
+            info.first->path = "transfer." + info.first->path;
+          }
+          infos.push_back(std::move(info));
+        };
+        (add(s), ...);
+      },
+      schemes);
+  return infos;
+}
+
+SchemeRequest parse_scheme(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  const std::string name = lower(text.substr(0, colon));
+  const auto infos = scheme_infos();
+  const auto found = std::find_if(infos.begin(), infos.end(), [&](const SchemeInfo& i) { return i.name == name; });
+  if (found == infos.end()) {
+    std::vector<std::string> names;
+    for (const SchemeInfo& i : infos) names.emplace_back(i.name);
+    throw UserError("unknown scheme \"" + std::string(text.substr(0, colon)) + "\"", {}, nearest_name(name, names));
+  }
+  SchemeRequest request;
+  request.scheme = static_cast<int>(found - infos.begin());
+  if (colon == std::string_view::npos) return request;
+
+  const auto refuse = [&](const std::string& why) { throw UserError("scheme \"" + std::string(text) + "\": " + why); };
+  if (!found->first) refuse(std::string(found->label) + " has no parameter");
+  const Parameter& p = *found->first;
+  const std::string_view digits = text.substr(colon + 1);
+  double x = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), x);
+  if (error != std::errc() || end != digits.data() + digits.size())
+    refuse("\"" + std::string(digits) + "\" is not a number");
+  if (!(x >= p.min && x <= p.max))
+    refuse(p.path + " must be between " + short_number(p.min) + " and " + short_number(p.max));
+  request.number = {p.path, x};
+  return request;
+}
+
+} // namespace flipbook
