@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "tests/property/cases.h"
+
+#include "sim/transfer/stencil.h"
+
+#include <algorithm>
+
+namespace flipbook {
+namespace {
+
+template <class C> class OrderTest : public testing::Test {};
+TYPED_TEST_SUITE(OrderTest, Cases);
+
+/// Enough particles for several chunks of the sort, in no order at all, with every column telling its particle.
+template <int Dim, class Real> Particles<Dim, Real> scattered(const Grid<Dim>& grid) {
+  Particles<Dim, Real> p;
+  p.set_mode(AffineMode::full);
+  for (std::uint32_t i = 0; i < 30000; ++i) {
+    Vec<Dim, Real> x;
+    for (int d = 0; d < Dim; ++d)
+      x[d] = static_cast<Real>(uniform(5, i, static_cast<std::uint64_t>(d)) * grid.size_m()[d]);
+    p.add(x, 2 * x, static_cast<Real>(i), i);
+    for (auto& column : p.A) column.back() = static_cast<Real>(i) / 2;
+  }
+  return p;
+}
+
+TYPED_TEST(OrderTest, SortIsAStablePermutationIntoCells) {
+  constexpr int Dim = TypeParam::dim;
+  using Real = typename TypeParam::Real;
+  Threads threads(2);
+  Grid<Dim> grid;
+  for (int d = 0; d < Dim; ++d) grid.cells[d] = 17 + 3 * d;
+  grid.dx = 0.03;
+  const Particles<Dim, Real> before = scattered<Dim, Real>(grid);
+  Particles<Dim, Real> after = before;
+  CellOrder<Dim> order;
+  for (int repeat = 0; repeat < 2; ++repeat) { // the second time from sorted particles, with the scratch in use
+    sort_by_cell(after, grid, order, threads.pool);
+    ASSERT_EQ(order.start.size(), static_cast<std::size_t>(grid.size()) + 1);
+    ASSERT_EQ(order.start.front(), 0u);
+    ASSERT_EQ(order.start.back(), before.size());
+    std::vector<char> seen(before.size(), 0);
+    for (std::size_t c = 0; c + 1 < order.start.size(); ++c)
+      for (std::uint32_t p = order.start[c]; p < order.start[c + 1]; ++p) {
+        const std::size_t i = after.id[p];
+        ASSERT_EQ(seen[i]++, 0);
+        ASSERT_EQ(static_cast<std::size_t>(grid.at(cell_of(grid, after.position(p)))), c);
+        ASSERT_TRUE(p == order.start[c] || after.id[p - 1] < i) << "the order within a cell has changed";
+        ASSERT_EQ(after.position(p), before.position(i));
+        ASSERT_EQ(after.velocity(p), before.velocity(i));
+        ASSERT_EQ(after.m[p], before.m[i]);
+        for (std::size_t k = 0; k < after.A.size(); ++k) ASSERT_EQ(after.A[k][p], before.A[k][i]);
+      }
+  }
+}
+
+TYPED_TEST(OrderTest, NoParticlesIsFine) {
+  constexpr int Dim = TypeParam::dim;
+  Threads threads(1);
+  Grid<Dim> grid;
+  Particles<Dim, typename TypeParam::Real> none;
+  CellOrder<Dim> order;
+  sort_by_cell(none, grid, order, threads.pool);
+  EXPECT_EQ(order.start, std::vector<std::uint32_t>(static_cast<std::size_t>(grid.size()) + 1, 0));
+}
+
+TYPED_TEST(OrderTest, BlocksVisitEveryParticleOnce) {
+  constexpr int Dim = TypeParam::dim;
+  Threads threads(3);
+  Grid<Dim> grid;
+  for (int d = 0; d < Dim; ++d) grid.cells[d] = 30 - 7 * d;
+  grid.dx = 0.03;
+  auto particles = scattered<Dim, typename TypeParam::Real>(grid);
+  CellOrder<Dim> order;
+  sort_by_cell(particles, grid, order, threads.pool);
+  std::vector<char> visits(particles.size(), 0); // runs are disjoint, so no two threads write one entry
+  each_block(grid, order, threads.pool, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) ++visits[p];
+  });
+  EXPECT_TRUE(std::all_of(visits.begin(), visits.end(), [](char n) { return n == 1; }));
+}
+
+/// Blocks that run side by side must not reach one sample: for any particle, no kernel goes beyond `reach` samples from
+/// its cell, and blocks of one colour are a block apart.
+TYPED_TEST(OrderTest, StencilsStayWithinReachOfTheirCell) {
+  using Real = typename TypeParam::Real;
+  constexpr int reach = 2;
+  static_assert(block_edge % 4 == 0 && block_edge > 2 * reach - 1);
+  for (const double dx : {0.1, 1.0 / 3, 0.7})
+    for (int i = 0; i <= 4000; ++i) {
+      // Positions at, just below and just above multiples of half a cell, where roundings decide the cell.
+      Real x = static_cast<Real>(dx * (i / 3) / 2);
+      if (i % 3 == 1) x = std::nextafter(x, Real(0));
+      if (i % 3 == 2) x = std::nextafter(x, Real(1000));
+      const Real q = grid_position(x, static_cast<Real>(1 / dx));
+      const int cell = static_cast<int>(q);
+      for (const KernelName k : kernels)
+        with_kernel(k, [&](auto kernel) {
+          using K = decltype(kernel);
+          for (const Real origin : {Real(0), Real(0.5)}) {
+            const AxisStencil<K, Real, NoSecond> s(q - origin);
+            ASSERT_GE(s.base, cell - reach);
+            ASSERT_LE(s.base + K::support - 1, cell + reach);
+          }
+        });
+    }
+}
+
+} // namespace
+} // namespace flipbook
