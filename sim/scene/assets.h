@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Where scenes and studies are found by name: $FLIPBOOK_ASSETS, the source tree that the program was built from, the
+// share/flipbook folder beside the installed program. The first that has the name wins.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace flipbook {
+
+/// A path ("a/b.toml", "b.toml") as given, relative to `base` if it is not empty; or a name in `folder` ("scenes").
+/// Nothing if there is no such file.
+[[nodiscard]] std::optional<std::string> find_asset(std::string_view folder, const std::string& name_or_path,
+                                                    const std::string& base = {});
+
+/// Was a path given, rather than a name?
+[[nodiscard]] bool is_path(const std::string& name_or_path);
+
+/// Every name in `folder`, sorted.
+[[nodiscard]] std::vector<std::string> list_assets(std::string_view folder);
+
+/// "dam_break" of "assets/scenes/dam_break.toml".
+[[nodiscard]] std::string stem(const std::string& path);
+
+} // namespace flipbook

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "sim/scene/seeding.h"
+
+#include "sim/core/random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace flipbook {
+namespace {
+
+constexpr std::uint64_t most_particles = 1ULL << 28U; // some 10 GB in single precision, and well within 32-bit ids
+constexpr double most_places = 1ULL << 32U; // in all sub-cells, in a body or not: bounds the time to look at them
+
+/// The places where a particle may start, one after the other.
+template <int Dim> class Places {
+public:
+  Places(const SeedingSettings& seeding, const Grid<Dim>& grid) : seeding_(seeding), grid_(grid) {
+    for (int d = 0; d < Dim; ++d) per_cell_ *= static_cast<std::uint64_t>(seeding.per_axis);
+  }
+
+  template <class Visit> void each(Visit&& visit) const {
+    Index<Dim> cell = Index<Dim>::Zero();
+    const auto cells = static_cast<std::uint64_t>(grid_.cells.template cast<std::int64_t>().prod());
+    for (std::uint64_t c = 0; c < cells; ++c) {
+      for (std::uint64_t k = 0; k < per_cell_; ++k) visit(place(cell, c, k));
+      for (int d = 0; d < Dim && ++cell[d] == grid_.cells[d]; ++d) cell[d] = 0;
+    }
+  }
+
+private:
+  [[nodiscard]] Point place(const Index<Dim>& cell, std::uint64_t c, std::uint64_t k) const {
+    const auto n = static_cast<std::uint64_t>(seeding_.per_axis);
+    Point p{0, 0, 0};
+    std::uint64_t rest = k;
+    for (int d = 0; d < Dim; ++d) {
+      const auto sub = static_cast<double>(rest % n);
+      rest /= n;
+      const bool regular = seeding_.pattern == Pattern::regular;
+      const double in_sub =
+          regular ? 0.5 : uniform(static_cast<std::uint64_t>(seeding_.seed), c, Dim * k + static_cast<unsigned>(d));
+      p[static_cast<std::size_t>(d)] = grid_.dx * (cell[d] + (sub + in_sub) / seeding_.per_axis);
+    }
+    return p;
+  }
+
+  const SeedingSettings& seeding_;
+  const Grid<Dim>& grid_;
+  std::uint64_t per_cell_ = 1;
+};
+
+const Body* body_at(const Scene& scene, const Domain& domain, const Point& p) {
+  const auto at =
+      std::find_if(scene.fluid.begin(), scene.fluid.end(), [&](const Body& b) { return b.shape->contains(p, domain); });
+  return at == scene.fluid.end() ? nullptr : &*at;
+}
+
+/// Rounding to single precision must not lift a particle onto the upper wall.
+template <class Real> Real below(double x, double size) {
+  const Real limit = std::nextafter(static_cast<Real>(size), Real(0));
+  return std::min(static_cast<Real>(x), limit);
+}
+
+} // namespace
+
+template <int Dim, class Real> Particles<Dim, Real> seed_particles(const Scene& scene, const Grid<Dim>& grid) {
+  const Domain domain = scene.domain();
+  const Places<Dim> places(scene.settings.seeding, grid);
+  const double tried = grid.cells.template cast<double>().prod() * std::pow(scene.settings.seeding.per_axis, Dim);
+  if (tried > most_places)
+    throw UserError("grid.cells and seeding.per_axis make " + std::to_string(std::llround(tried)) +
+                    " places for particles; at most " + std::to_string(std::llround(most_places)) + " are supported");
+  std::uint64_t count = 0;
+  places.each([&](const Point& p) { count += body_at(scene, domain, p) ? 1U : 0U; });
+  if (count == 0) throw UserError("scene \"" + scene.name + "\": no particle starts inside the domain");
+  if (count > most_particles)
+    throw UserError("scene \"" + scene.name + "\" would have " + std::to_string(count) + " particles; at most " +
+                    std::to_string(most_particles) + " are supported");
+
+  Particles<Dim, Real> particles;
+  for (auto& column : particles.x) column.reserve(count);
+  for (auto& column : particles.v) column.reserve(count);
+  particles.m.reserve(count);
+  particles.id.reserve(count);
+  const double mass =
+      scene.settings.fluid.density * std::pow(grid.dx, Dim) / std::pow(scene.settings.seeding.per_axis, Dim);
+  const Vec<Dim, double> size = grid.size_m();
+  places.each([&](const Point& p) {
+    const Body* body = body_at(scene, domain, p);
+    if (!body) return;
+    const Point v = body->velocity->at(p, domain);
+    Vec<Dim, Real> x, u;
+    for (int d = 0; d < Dim; ++d) {
+      x[d] = below<Real>(p[static_cast<std::size_t>(d)], size[d]);
+      u[d] = static_cast<Real>(v[static_cast<std::size_t>(d)]);
+    }
+    particles.add(x, u, static_cast<Real>(mass), static_cast<std::uint32_t>(particles.size()));
+  });
+  return particles;
+}
+
+template Particles<2, float> seed_particles<2, float>(const Scene&, const Grid<2>&);
+template Particles<2, double> seed_particles<2, double>(const Scene&, const Grid<2>&);
+template Particles<3, float> seed_particles<3, float>(const Scene&, const Grid<3>&);
+template Particles<3, double> seed_particles<3, double>(const Scene&, const Grid<3>&);
+
+} // namespace flipbook

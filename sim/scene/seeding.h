@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The particles that a scene starts with: per_axis^Dim in each cell, one in each sub-cell, kept where they lie in a
+// body. The place in the sub-cell is its centre, or jitter = f(seed, cell, k), so that it depends neither on the
+// precision nor on what else is in the scene. Ids count from 0 in the order of the cells (x fastest), then of the
+// sub-cells.
+#pragma once
+
+#include "sim/core/lattice.h"
+#include "sim/core/particles.h"
+#include "sim/scene/scene.h"
+
+namespace flipbook {
+
+/// Throws UserError where the particles are none or too many. Each has the mass density dx^Dim / per_axis^Dim.
+template <int Dim, class Real>
+[[nodiscard]] Particles<Dim, Real> seed_particles(const Scene& scene, const Grid<Dim>& grid);
+
+} // namespace flipbook
