@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Boxes of lattice samples, and loops over them: index and position in the array together, x fastest.
+#pragma once
+
+#include "sim/core/lattice.h"
+#include "sim/core/parallel.h"
+
+#include <algorithm>
+
+namespace flipbook {
+
+/// Samples lo <= i < hi.
+template <int Dim> struct Box {
+  Index<Dim> lo, hi;
+
+  [[nodiscard]] bool contains(const Index<Dim>& i) const {
+    return (i.array() >= lo.array()).all() && (i.array() < hi.array()).all();
+  }
+};
+
+/// The cells of the domain.
+template <int Dim> [[nodiscard]] Box<Dim> cells_of(const Grid<Dim>& grid) {
+  return {Index<Dim>::Constant(Grid<Dim>::pad), grid.cells.array() + Grid<Dim>::pad};
+}
+
+/// The faces of `axis` in the domain, those on its boundary included.
+template <int Dim> [[nodiscard]] Box<Dim> faces_of(const Grid<Dim>& grid, int axis) {
+  Box<Dim> box = cells_of(grid);
+  ++box.hi[axis];
+  return box;
+}
+
+/// Every sample, pads included.
+template <int Dim> [[nodiscard]] Box<Dim> all_of(const Grid<Dim>& grid) {
+  return {Index<Dim>::Zero(), grid.extent()};
+}
+
+namespace detail {
+/// body(index, position) along the rows [first, last) of a box; rows are its samples without the x axis, y fastest.
+template <int Dim, class Body>
+void each_in_rows(const Grid<Dim>& grid, const Box<Dim>& box, std::int64_t first, std::int64_t last, Body&& body) {
+  const Index<Dim> n = box.hi - box.lo;
+  for (std::int64_t row = first; row < last; ++row) {
+    Index<Dim> i = box.lo;
+    std::int64_t rest = row;
+    for (int d = 1; d < Dim; rest /= n[d], ++d) i[d] += static_cast<int>(rest % n[d]);
+    std::ptrdiff_t at = grid.at(i);
+    for (; i[0] < box.hi[0]; ++i[0], ++at) body(static_cast<const Index<Dim>&>(i), static_cast<std::size_t>(at));
+  }
+}
+template <int Dim> [[nodiscard]] std::int64_t rows_of(const Box<Dim>& box) {
+  std::int64_t rows = 1;
+  for (int d = 0; d < Dim; ++d) {
+    if (box.hi[d] <= box.lo[d]) return 0;
+    if (d > 0) rows *= box.hi[d] - box.lo[d];
+  }
+  return rows;
+}
+} // namespace detail
+
+/// body(index, position) for each sample of the box, in order.
+template <int Dim, class Body> void each_in(const Grid<Dim>& grid, const Box<Dim>& box, Body&& body) {
+  detail::each_in_rows(grid, box, 0, detail::rows_of(box), body);
+}
+
+/// The same, rows in parallel: the body may write to its own sample only.
+template <int Dim, class Body> void each_in(const Grid<Dim>& grid, const Box<Dim>& box, Pool& pool, Body&& body) {
+  const std::int64_t grain = std::max(1, 8192 / std::max(1, box.hi[0] - box.lo[0]));
+  pool.ranges(detail::rows_of(box), grain,
+              [&](std::int64_t b, std::int64_t e) { detail::each_in_rows(grid, box, b, e, body); });
+}
+
+} // namespace flipbook

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "sim/fluid/channels.h"
+
+#include "sim/core/cross.h"
+#include "sim/transfer/interpolate.h"
+
+#include <cmath>
+
+namespace flipbook {
+namespace {
+
+/// value(particle) for every particle.
+template <class Value> std::vector<float> for_each_particle(std::size_t count, Pool& pool, Value&& value) {
+  std::vector<float> values(count);
+  pool.ranges(static_cast<std::int64_t>(count), 4096, [&](std::int64_t begin, std::int64_t end) {
+    for (auto p = static_cast<std::size_t>(begin); p < static_cast<std::size_t>(end); ++p)
+      values[p] = static_cast<float>(value(p));
+  });
+  return values;
+}
+
+/// Multilinear interpolation of a lattice with the given origin (in cells).
+template <int Dim, class Real>
+Real sample(const Grid<Dim>& grid, const Vec<Dim, Real>& origin, const Field<Real>& f, const Vec<Dim, Real>& x) {
+  Index<Dim> base;
+  Vec<Dim, Real> fraction;
+  for (int d = 0; d < Dim; ++d) {
+    const Real q = grid_position(x[d], static_cast<Real>(1 / grid.dx)) - origin[d];
+    base[d] = static_cast<int>(q);
+    fraction[d] = q - static_cast<Real>(base[d]);
+  }
+  Real sum = 0;
+  for (int corner = 0; corner < 1 << Dim; ++corner) {
+    Real weight = 1;
+    std::ptrdiff_t at = grid.at(base);
+    for (int d = 0; d < Dim; ++d) {
+      const bool upper = corner >> d & 1;
+      weight *= upper ? fraction[d] : 1 - fraction[d];
+      if (upper) at += grid.stride(d);
+    }
+    sum += weight * f[static_cast<std::size_t>(at)];
+  }
+  return sum;
+}
+
+/// curl u on the edges of the cells (2D: on the nodes), where the MAC faces give it by one difference on each axis.
+template <int Dim, class Real> std::array<Field<Real>, spin<Dim>> curl(const FluidState<Dim, Real>& s, Pool& pool) {
+  std::array<Field<Real>, spin<Dim>> w;
+  for (auto& f : w) f.assign(static_cast<std::size_t>(s.grid.size()), Real(0));
+  const Real inverse_dx = static_cast<Real>(1 / s.grid.dx);
+  const Box<Dim> box{Index<Dim>::Ones(), s.grid.extent()};
+  for (int a = 0; a < Dim; ++a)
+    for (int b = 0; b < Dim; ++b) {
+      if (a == b) continue; // omega_c += sign du_b/dx_a, e_a x e_b = sign e_c
+      Field<Real>& f = w[static_cast<std::size_t>(cross_axis<Dim>(a, b))];
+      const Field<Real>& u = s.u[static_cast<std::size_t>(b)];
+      const Real sign = static_cast<Real>(cross_sign<Dim>(a, b)) * inverse_dx;
+      const auto stride = static_cast<std::size_t>(s.grid.stride(a));
+      each_in(s.grid, box, pool, [&](const Index<Dim>&, std::size_t at) { f[at] += sign * (u[at] - u[at - stride]); });
+    }
+  return w;
+}
+
+/// 2D: omega_z; 3D: |omega|.
+template <int Dim, class Real> std::vector<float> vorticity(const FluidState<Dim, Real>& s, Pool& pool) {
+  const auto w = curl(s, pool);
+  return for_each_particle(s.particles.size(), pool, [&](std::size_t p) {
+    const Vec<Dim, Real> x = s.particles.position(p);
+    if constexpr (Dim == 2) return sample(s.grid, Vec<Dim, Real>(Vec<Dim, Real>::Zero()), w[0], x);
+    Real square = 0;
+    for (int c = 0; c < spin<Dim>; ++c) {
+      Vec<Dim, Real> origin = Vec<Dim, Real>::Zero();
+      origin[c] = Real(0.5);
+      const Real component = sample(s.grid, origin, w[static_cast<std::size_t>(c)], x);
+      square += component * component;
+    }
+    return std::sqrt(square);
+  });
+}
+
+template <int Dim, class Real> std::vector<float> pressure(const FluidState<Dim, Real>& s, Pool& pool) {
+  Field<Real> p(s.p.begin(), s.p.end());
+  s.walls.pad_cells(p);
+  return for_each_particle(s.particles.size(), pool, [&](std::size_t i) {
+    return sample(s.grid, Vec<Dim, Real>(Vec<Dim, Real>::Constant(Real(0.5))), p, s.particles.position(i));
+  });
+}
+
+/// |v_p - u(x_p)|: what a particle's velocity holds that the grid cannot see.
+template <int Dim, class Real> std::vector<float> noise(const FluidState<Dim, Real>& s, Pool& pool) {
+  return with_kernel(s.settings.transfer.kernel, [&](auto k) {
+    const Interpolator<decltype(k), Dim, Real> u(Layout::mac, s.grid, s.u);
+    return for_each_particle(s.particles.size(), pool, [&](std::size_t p) {
+      return (s.particles.velocity(p) - u(s.particles.position(p))).norm();
+    });
+  });
+}
+
+template <int Dim, class Real> struct List {
+  using State = FluidState<Dim, Real>;
+  using Initial = std::vector<std::array<float, 3>>;
+
+  template <std::size_t Axis> static std::vector<float> velocity(const State& s, const Initial&, Pool& pool) {
+    return for_each_particle(s.particles.size(), pool, [&](std::size_t p) { return s.particles.v[Axis][p]; });
+  }
+  template <std::size_t Axis> static std::vector<float> started_at(const State& s, const Initial& initial, Pool& pool) {
+    return for_each_particle(s.particles.size(), pool, [&](std::size_t p) { return initial[s.particles.id[p]][Axis]; });
+  }
+
+  static inline const std::vector<ChannelSource<Dim, Real>> channels = [] {
+    std::vector<ChannelSource<Dim, Real>> list{
+        {"speed", "m/s", false,
+         [](const State& s, const Initial&, Pool& pool) {
+           return for_each_particle(s.particles.size(), pool,
+                                    [&](std::size_t p) { return s.particles.velocity(p).norm(); });
+         }},
+        {"velocity_x", "m/s", true, velocity<0>},
+        {"velocity_y", "m/s", true, velocity<1>},
+        {"pressure", "Pa", false, [](const State& s, const Initial&, Pool& pool) { return pressure(s, pool); }},
+        {"vorticity", "1/s", Dim == 2, [](const State& s, const Initial&, Pool& pool) { return vorticity(s, pool); }},
+        {"initial_x", "m", false, started_at<0>},
+        {"initial_y", "m", false, started_at<1>},
+        {"id", "", false,
+         [](const State& s, const Initial&, Pool& pool) {
+           return for_each_particle(s.particles.size(), pool, [&](std::size_t p) { return s.particles.id[p]; });
+         }},
+        {"noise", "m/s", false, [](const State& s, const Initial&, Pool& pool) { return noise(s, pool); }},
+    };
+    if constexpr (Dim == 3) list.push_back({"velocity_z", "m/s", true, velocity<2>});
+    if constexpr (Dim == 3) list.push_back({"initial_z", "m", false, started_at<2>});
+    return list;
+  }();
+};
+
+/// The samples of a box as a lattice; `origin` in cells.
+template <int Dim, class Real>
+LatticeData lattice(const Grid<Dim>& grid, const Box<Dim>& box, std::string name, const Vec<Dim, double>& origin,
+                    const Field<Real>& f) {
+  LatticeData data;
+  data.name = std::move(name);
+  data.dx = static_cast<float>(grid.dx);
+  for (int d = 0; d < Dim; ++d) {
+    data.n[static_cast<std::size_t>(d)] = box.hi[d] - box.lo[d];
+    data.origin[static_cast<std::size_t>(d)] = static_cast<float>(grid.dx * origin[d]);
+  }
+  each_in(grid, box, [&](const Index<Dim>&, std::size_t at) { data.values.push_back(static_cast<float>(f[at])); });
+  return data;
+}
+
+} // namespace
+
+template <int Dim, class Real> std::span<const ChannelSource<Dim, Real>> channel_sources() {
+  return List<Dim, Real>::channels;
+}
+
+template <int Dim, class Real>
+std::vector<LatticeData> lattices(const FluidState<Dim, Real>& s, const FrameRequest& request) {
+  std::vector<LatticeData> found;
+  const Vec<Dim, double> centre = Vec<Dim, double>::Constant(0.5);
+  if (request.faces)
+    for (int a = 0; a < Dim; ++a)
+      found.push_back(lattice(s.grid, faces_of(s.grid, a), std::string(1, "uvw"[a]),
+                              component_origin<Dim, double>(Layout::mac, a), s.u[static_cast<std::size_t>(a)]));
+  if (request.phi) found.push_back(lattice(s.grid, cells_of(s.grid), "phi", centre, s.phi));
+  if (request.pressure) found.push_back(lattice(s.grid, cells_of(s.grid), "p", centre, s.p));
+  return found;
+}
+
+#define FLIPBOOK_CHANNELS(Dim, Real)                                                                                   \
+  template std::span<const ChannelSource<Dim, Real>> channel_sources<Dim, Real>();                                     \
+  template std::vector<LatticeData> lattices(const FluidState<Dim, Real>&, const FrameRequest&);
+FLIPBOOK_CHANNELS(2, float)
+FLIPBOOK_CHANNELS(2, double)
+FLIPBOOK_CHANNELS(3, float)
+FLIPBOOK_CHANNELS(3, double)
+#undef FLIPBOOK_CHANNELS
+
+} // namespace flipbook

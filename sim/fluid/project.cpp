@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "sim/fluid/project.h"
+
+namespace flipbook {
+
+template <int Dim, class Real>
+SolveReport Projection<Dim, Real>::operator()(const Grid<Dim>& grid, const Walls<Dim, Real>& walls,
+                                              const Cells<Dim, Real>& cells, const PressureSettings& settings,
+                                              double density, double dt, Components<Dim, Real>& u, Field<double>& p,
+                                              Pool& pool) {
+  system_.assemble(grid, walls, cells, u, density, dt, pool);
+  p.resize(static_cast<std::size_t>(grid.size()), 0.0);
+  rows_.resize(system_.cell.size());
+  for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i] = p[system_.cell[i]];
+  const SolveReport report = cg_.solve(system_, settings, rows_, pool);
+  std::fill(p.begin(), p.end(), 0.0);
+  for (std::size_t i = 0; i < rows_.size(); ++i) p[system_.cell[i]] = rows_[i];
+  walls.wrap_cells(p);
+
+  const double scale = dt / (density * grid.dx);
+  for (int a = 0; a < Dim; ++a) {
+    const auto axis = static_cast<std::size_t>(a);
+    each_in(grid, faces_of(grid, a), pool, [&](const Index<Dim>&, std::size_t at) {
+      const Real inverse_theta = cells.inverse_theta[axis][at];
+      if (inverse_theta == 0 || walls.open[axis][at] == 0) return;
+      const double difference = p[at] - p[at - static_cast<std::size_t>(grid.stride(a))];
+      u[axis][at] -= static_cast<Real>(scale * static_cast<double>(inverse_theta) * difference);
+    });
+  }
+  return report;
+}
+
+template class Projection<2, float>;
+template class Projection<2, double>;
+template class Projection<3, float>;
+template class Projection<3, double>;
+
+} // namespace flipbook

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The sides of the domain, which are cell faces. Per axis:
+//   free_slip  u.n = U.n at and beyond the wall; tangential velocity continues into the pads
+//   no_slip    u.n = U.n at and beyond the wall; tangential velocity is mirrored, u_pad = 2 U - u, so that it is U on
+//   the wall periodic   the two sides are one: sums that landed in the pads are folded back, values are copied out
+// Solids inside the domain use the same two arrays: how far each face is open, and how fast the solid part of it moves.
+#pragma once
+
+#include "sim/core/field.h"
+#include "sim/fluid/box.h"
+#include "sim/scene/settings.h"
+
+#include <array>
+
+namespace flipbook {
+
+template <int Dim, class Real> class Walls {
+public:
+  Walls(const Grid<Dim>& grid, const WallSettings& settings);
+
+  Components<Dim, Real> open;    ///< open fraction of each face: 1 open, 0 solid
+  Components<Dim, Real> u_solid; ///< velocity of its solid part (m/s)
+
+  [[nodiscard]] bool periodic(int axis) const { return kind_[static_cast<std::size_t>(axis)] == Wall::periodic; }
+
+  /// Adds what particles near a periodic side put into its pads to the samples they stand for.
+  void fold(Field<Real>& sums) const;
+  void fold(Components<Dim, Real>& sums) const;
+
+  /// u = u_solid on every closed face.
+  void close(Components<Dim, Real>& u, Pool& pool) const;
+
+  /// Fills the pads with what the walls do to the flow beside them.
+  void pad(Components<Dim, Real>& u) const { pad(u, true); }
+  /// Fills the pads as if every wall slipped: what particles near a wall carry, before the wall has acted.
+  void pad_slip(Components<Dim, Real>& u) const { pad(u, false); }
+  /// Fills the pads of a quantity at cell centres: copied from the nearest cell, or from the other side.
+  template <class T> void pad_cells(std::vector<T>& cells) const;
+  /// The same across periodic sides only.
+  template <class T> void wrap_cells(std::vector<T>& cells) const;
+
+  /// The sample of the domain that i stands for: itself, or its image across periodic sides.
+  [[nodiscard]] Index<Dim> image(Index<Dim> i) const;
+
+  /// Brings a position back into the domain: across periodic sides, or to just inside of a wall. Bit 2a is set where it
+  /// met the lower wall of axis a, bit 2a + 1 for the upper one.
+  unsigned confine(Vec<Dim, Real>& x) const;
+
+private:
+  void pad(Components<Dim, Real>& u, bool friction) const;
+
+  Grid<Dim> grid_;
+  std::array<Wall, Dim> kind_;
+};
+
+} // namespace flipbook

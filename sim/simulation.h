@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// A running simulation, whatever its method, dimension and precision. A few virtual calls per step; nothing of the solver
+// shows through.
+#pragma once
+
+#include "sim/core/parallel.h"
+#include "sim/frame/snapshot.h"
+
+#include <memory>
+#include <string>
+
+namespace flipbook {
+
+struct Scene;
+
+class Simulation {
+public:
+  virtual ~Simulation() = default;
+
+  // === Time
+  [[nodiscard]] virtual double time() const = 0;
+  [[nodiscard]] virtual std::uint64_t steps() const = 0;
+  /// Largest step that this simulation may take from its present state (seconds).
+  [[nodiscard]] virtual double max_dt() const = 0;
+  /// Advances by dt. Throws NonFiniteError.
+  virtual void step(double dt) = 0;
+
+  // === Parameters
+  /// Every parameter with its present value.
+  [[nodiscard]] virtual std::vector<Parameter> parameters() const = 0;
+  /// Sets a live parameter between steps; a scheme change gathers its new affine state from the grid. Refuses one that
+  /// needs a restart.
+  [[nodiscard]] virtual Refusal set(std::string_view path, const Value& value) = 0;
+
+  // === Looking at it
+  [[nodiscard]] virtual std::string title() const = 0; ///< "FLIP 0.97", from the scheme that runs
+  [[nodiscard]] virtual std::size_t particles() const = 0;
+  /// The state at this frame; also appends a row to the history.
+  [[nodiscard]] virtual std::shared_ptr<const Snapshot> snapshot(std::uint64_t frame, const FrameRequest& request) = 0;
+};
+
+/// Seeds the scene and makes its solver; throws UserError for a scene that cannot be run.
+[[nodiscard]] std::unique_ptr<Simulation> make_simulation(const Scene& scene, Pool& pool);
+
+} // namespace flipbook
