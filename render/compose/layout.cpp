@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "render/compose/layout.h"
+
+#include <cmath>
+
+namespace flipbook::render {
+namespace {
+
+// In points.
+constexpr float margin = 20, gap = 14, header_height = 30, header_gap = 14, title_height = 20, caption_height = 17;
+constexpr float legend_height = 18, footer_height = 16, widest_gap = 44, least_plot = 84, least_side = 230;
+
+struct Grid {
+  std::size_t columns = 1, rows = 1;
+  float magnification = 0; ///< pixels for each unit of the domain
+};
+
+class Arranger {
+public:
+  explicit Arranger(const LayoutRequest& r) : r_(r) {}
+
+  Layout run() {
+    Rect body = header_and_borders();
+    const bool plots = r_.plots > 0 && r_.plot_height > 0;
+    if (!plots) {
+      place_panes(body, best_grid(body), widest_gap, 0.5F, 0.5F);
+      return std::move(out_);
+    }
+    const Rect above = upper(body), beside = left(body);
+    const Grid below_grid = best_grid(above), side_grid = best_grid(beside);
+    // Reading order is clearer with the plots below: beside has to gain something.
+    if (side_grid.magnification > 1.1F * below_grid.magnification) {
+      const Rect used = place_panes(beside, side_grid, gap, 0, 0);
+      const float x = used.right() + pt(gap + 10);
+      place_plots({x, body.y, body.right() - x, body.h});
+    } else {
+      const Rect used = place_panes(above, below_grid, widest_gap, 0.5F, 0);
+      // What the panes cannot use makes the plots taller, up to a point.
+      const float y = std::max(used.bottom() + pt(gap), body.bottom() - 0.52F * body.h);
+      place_plots({body.x, y, body.w, body.bottom() - y});
+    }
+    return std::move(out_);
+  }
+
+private:
+  [[nodiscard]] float pt(float points) const { return std::round(points * r_.scale); }
+
+  /// Places what surrounds the body and returns the body.
+  Rect header_and_borders() {
+    const auto width = static_cast<float>(r_.width), height = static_cast<float>(r_.height);
+    const float m = pt(margin), h = pt(header_height), y = pt(margin - 6);
+    out_.time = {width - m - r_.time, y, r_.time, h};
+    float right = out_.time.x - pt(26);
+    if (r_.colour_label > 0) {
+      const float bar = std::round(std::clamp(0.15F * width, pt(90), pt(190)));
+      out_.colour_bar = {right - bar, y, bar, h};
+      out_.colour_label = {out_.colour_bar.x - pt(12) - r_.colour_label, y, r_.colour_label, h};
+      right = out_.colour_label.x - pt(20);
+    }
+    out_.title = {m, y, std::max(0.F, right - m), h};
+    const float top = y + h + pt(header_gap);
+    const float footer = static_cast<float>(r_.footer_lines) * pt(footer_height);
+    float bottom = height - m;
+    if (footer > 0) {
+      out_.footer = {m, height - pt(10) - footer, width - 2 * m, footer};
+      bottom = out_.footer.y - pt(10);
+    }
+    Rect body{m, top, width - 2 * m, bottom - top};
+    if (r_.panel) {
+      const float w = std::clamp(0.2F * width, pt(200), pt(260));
+      out_.panel = {width - m - w, body.y, w, body.h};
+      body.w = out_.panel.x - pt(18) - body.x;
+    }
+    return body;
+  }
+
+  [[nodiscard]] Rect upper(const Rect& body) const {
+    const float wanted = static_cast<float>(r_.plot_height) * static_cast<float>(r_.height);
+    const float h = std::min(std::max(wanted, pt(least_plot)), 0.6F * body.h);
+    return {body.x, body.y, body.w, body.h - h - pt(gap)};
+  }
+  [[nodiscard]] Rect left(const Rect& body) const {
+    const float w = std::max(pt(least_side), 0.3F * body.w);
+    return {body.x, body.y, body.w - w - pt(gap + 10), body.h};
+  }
+
+  [[nodiscard]] float above_frame() const { return pt(title_height); }
+  [[nodiscard]] float below_frame() const { return r_.captions ? pt(caption_height) : 0; }
+
+  [[nodiscard]] Grid best_grid(const Rect& area) const {
+    Grid best;
+    for (std::size_t columns = 1; columns <= r_.panes; ++columns) {
+      const std::size_t rows = (r_.panes + columns - 1) / columns;
+      const auto c = static_cast<float>(columns), n = static_cast<float>(rows);
+      const float w = (area.w - (c - 1) * pt(gap)) / c - 2 * pt(pane_padding);
+      const float h = (area.h - (n - 1) * pt(gap)) / n - above_frame() - below_frame() - 2 * pt(pane_padding);
+      const float m = std::min(w / static_cast<float>(r_.domain_width), h / static_cast<float>(r_.domain_height));
+      if (m > best.magnification * 1.0001F) best = {columns, rows, m};
+    }
+    return best;
+  }
+
+  /// Places the panes, with this share of the free width on their left and of the free height above them, and returns
+  /// the rectangle they use.
+  Rect place_panes(const Rect& area, const Grid& grid, float most_gap, float horizontal, float vertical) {
+    const float frame_w = std::floor(grid.magnification * static_cast<float>(r_.domain_width)) + 2 * pt(pane_padding);
+    const float frame_h = std::floor(grid.magnification * static_cast<float>(r_.domain_height)) + 2 * pt(pane_padding);
+    const float cell_h = above_frame() + frame_h + below_frame();
+    const auto c = static_cast<float>(grid.columns), n = static_cast<float>(grid.rows);
+    const float spare = c > 1 ? (area.w - c * frame_w) / (c - 1) : 0;
+    const float gap_x = std::floor(std::clamp(spare, pt(gap), pt(most_gap))), gap_y = pt(gap);
+    const float used_w = c * frame_w + (c - 1) * gap_x, used_h = n * cell_h + (n - 1) * gap_y;
+    const float y0 = std::round(area.y + std::max(0.F, area.h - used_h) * vertical);
+    const float x0 = std::round(area.x + std::max(0.F, area.w - used_w) * horizontal);
+    for (std::size_t i = 0; i < r_.panes; ++i) {
+      const std::size_t row = i / grid.columns, in_row = std::min(grid.columns, r_.panes - row * grid.columns);
+      const float indent = static_cast<float>(grid.columns - in_row) * (frame_w + gap_x) / 2; // a short row is centred
+      const float x = std::round(x0 + indent + static_cast<float>(i % grid.columns) * (frame_w + gap_x));
+      const float y = y0 + static_cast<float>(row) * (cell_h + gap_y);
+      PaneBox box;
+      box.title = {x, y, frame_w, above_frame()};
+      box.frame = {x, y + above_frame(), frame_w, frame_h};
+      if (r_.captions) box.caption = {x, box.frame.bottom(), frame_w, below_frame()};
+      out_.panes.push_back(box);
+    }
+    return {x0, y0, used_w, used_h};
+  }
+
+  /// The legend in as many lines as it needs (at most two), then the plots in the columns that suit the space.
+  void place_plots(Rect area) {
+    if (!r_.legend.empty()) {
+      const std::size_t n = r_.legend.size();
+      float total = 0;
+      for (const float w : r_.legend) total += w;
+      const bool one_line = total <= area.w;
+      const std::size_t per_line = one_line ? n : (n + 1) / 2;
+      float x = area.x, y = area.y;
+      for (std::size_t i = 0; i < n; ++i) {
+        if (i == per_line) {
+          x = area.x;
+          y += pt(legend_height);
+        }
+        const float w = one_line ? r_.legend[i] : area.w / static_cast<float>(per_line);
+        out_.legend.push_back({std::round(x), y, w - pt(4), pt(legend_height)});
+        x += w;
+      }
+      const float used = y + pt(legend_height + 4) - area.y;
+      area.y += used;
+      area.h -= used;
+    }
+    std::size_t columns = 1;
+    float best = 0;
+    for (std::size_t c = 1; c <= r_.plots; ++c) {
+      const std::size_t rows = (r_.plots + c - 1) / c;
+      const float w = area.w / static_cast<float>(c), h = area.h / static_cast<float>(rows);
+      if (const float score = std::min(w / 1.5F, h); score > best) {
+        best = score;
+        columns = c;
+      }
+    }
+    const std::size_t rows = (r_.plots + columns - 1) / columns;
+    const float gx = pt(16), gy = pt(10);
+    const float w = (area.w - static_cast<float>(columns - 1) * gx) / static_cast<float>(columns);
+    const float h = (area.h - static_cast<float>(rows - 1) * gy) / static_cast<float>(rows);
+    for (std::size_t i = 0; i < r_.plots; ++i)
+      out_.plots.push_back({std::round(area.x + static_cast<float>(i % columns) * (w + gx)),
+                            std::round(area.y + static_cast<float>(i / columns) * (h + gy)), std::floor(w),
+                            std::floor(h)});
+  }
+
+  const LayoutRequest& r_;
+  Layout out_;
+};
+
+} // namespace
+
+float point_size(int width, int height) {
+  const float s = std::min(static_cast<float>(height) / 720.F, static_cast<float>(width) / 1060.F);
+  return std::clamp(s, 0.9F, 8.F);
+}
+
+Layout arrange(const LayoutRequest& request) {
+  return Arranger(request).run();
+}
+
+} // namespace flipbook::render

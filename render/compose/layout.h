@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Where everything goes. Panes are as large as the picture allows: the number of columns, and whether the plots lie
+// below or beside the panes, follow from the shape of the domain.
+//
+//   title                          colour bar   time
+//   +--------+ +--------+   +---------+
+//   | pane   | | pane   |   | panel   |
+//   +--------+ +--------+   |         |
+//   legend                  |         |
+//   +----+ +----+ +----+    |         |
+//   |plot| |plot| |plot|    |         |
+//   +----+ +----+ +----+    +---------+
+//   warnings and notes
+#pragma once
+
+#include "render/shapes.h"
+
+#include <vector>
+
+namespace flipbook::render {
+
+/// What has to be placed.
+struct LayoutRequest {
+  int width = 1280, height = 720;
+  float scale = 1;                            ///< pixels of a point
+  std::size_t panes = 1;                      ///< at least 1
+  double domain_width = 1, domain_height = 1; ///< the shape every pane must be able to hold
+  bool captions = true, panel = true;
+  std::size_t plots = 4;
+  double plot_height = 0.24; ///< share of the picture; 0: no plots
+  std::vector<float> legend; ///< width of each entry, pixels
+  std::size_t footer_lines = 0;
+  float colour_label = 0, time = 0; ///< widths of the texts in the header, pixels; no label: no colour bar
+};
+
+struct PaneBox {
+  Rect title, frame, caption;
+};
+
+struct Layout {
+  Rect title, colour_label, colour_bar, time; ///< the header
+  std::vector<PaneBox> panes;
+  std::vector<Rect> legend, plots;
+  Rect panel, footer;
+};
+
+/// Pixels of a point for a picture of this size: 1 at 1280x720, never so small that text cannot be read.
+[[nodiscard]] float point_size(int width, int height);
+[[nodiscard]] Layout arrange(const LayoutRequest& request);
+
+constexpr float pane_padding = 5; ///< points between a pane's frame and the domain
+
+} // namespace flipbook::render

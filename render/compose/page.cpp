@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "render/compose/page.h"
+
+#include "render/views/camera.h"
+#include "render/views/colour_bar.h"
+#include "render/views/domain.h"
+#include "render/views/ticks.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace flipbook::render {
+
+using gui::Align;
+using gui::Type;
+
+namespace {
+
+constexpr std::size_t most_footer_lines = 3;
+constexpr float legend_swatch = 22, legend_space = 24; // points
+
+std::vector<std::vector<float>> all_values(const Frame& frame, const ViewSettings& view) {
+  std::vector<std::vector<float>> values;
+  for (const Pane& p : frame.panes) values.push_back(colour_values(*p.snapshot, chosen_quantity(view)));
+  return values;
+}
+
+/// Width and height of the domain in metres; the camera of 3D panes wants a 4:3 window.
+std::array<double, 2> extent(const Snapshot& s) {
+  const double w = s.hi[0] - s.lo[0], h = s.hi[1] - s.lo[1];
+  return s.dim == 2 ? std::array{w, h} : std::array{4.0 / 3 * std::max(w, h), std::max(w, h)};
+}
+
+} // namespace
+
+Page::Page(const Frame& frame, const ViewSettings& view, const gui::Fonts& fonts, int width, int height)
+    : frame_(frame), view_(view), palette_(palette(view.theme)), values_(all_values(frame, view)),
+      scale_(shared_scale(frame, view, values_)), plots_(plots_of(frame, view)) {
+  collect_footer();
+  LayoutRequest r;
+  r.width = width;
+  r.height = height;
+  r.scale = fonts.scale();
+  r.panes = frame.panes.size();
+  r.domain_width = r.domain_height = 0;
+  for (const Pane& p : frame.panes) {
+    const auto [w, h] = extent(*p.snapshot);
+    const double diagonal = std::hypot(w, h); // domains of different size get the same room
+    r.domain_width = std::max(r.domain_width, w / diagonal);
+    r.domain_height = std::max(r.domain_height, h / diagonal);
+  }
+  r.captions = view.captions;
+  r.panel = view.show_panel;
+  r.plots = plots_.size();
+  r.plot_height = view.plot_height;
+  r.footer_lines = std::min(warnings_.size() + notes_.size(), most_footer_lines);
+  r.colour_label = std::ceil(fonts.width(Type::body, colour_bar_label(scale_))) + 1;
+  r.time = std::ceil(fonts.width(Type::title, time_text(std::max(frame.time, frame.duration)))) + 2;
+  if (frame.panes.size() > 1 && !plots_.empty())
+    for (const Pane& p : frame.panes)
+      r.legend.push_back(std::ceil(fonts.width(Type::small, p.title)) +
+                         std::round((legend_swatch + legend_space) * r.scale));
+  layout_ = arrange(r);
+  place_domains(std::round(pane_padding * r.scale));
+}
+
+void Page::place_domains(float padding) {
+  for (std::size_t i = 0; i < frame_.panes.size(); ++i) {
+    const Snapshot& s = *frame_.panes[i].snapshot;
+    const Rect& frame = layout_.panes[i].frame;
+    const auto [w, h] = extent(s);
+    const Rect room = frame.inset(padding);
+    const double metre = std::min(static_cast<double>(room.w) / w, static_cast<double>(room.h) / h);
+    const auto dw = static_cast<float>(metre * w), dh = static_cast<float>(metre * h);
+    const Rect domain{std::round(room.middle_x() - dw / 2), std::round(room.middle_y() - dh / 2), std::round(dw),
+                      std::round(dh)};
+    views_.push_back({&s, frame, domain, static_cast<float>(metre), palette_.variant(i)});
+  }
+}
+
+/// What a reader must know: warnings first, then the notes of the solvers, each once.
+void Page::collect_footer() {
+  warnings_ = frame_.warnings;
+  for (std::size_t i = 0; i < frame_.panes.size(); ++i) {
+    const Snapshot& s = *frame_.panes[i].snapshot;
+    if (values_[i].empty() && s.particles() > 0) {
+      warnings_.push_back("no values of " + std::string(scale_.quantity->label) +
+                          " were published: particles have no colour");
+      break;
+    }
+  }
+  if (view_.arrows) {
+    arrow_speed_ = arrow_speed(frame_);
+    if (arrow_speed_ > 0) notes_.push_back("longest arrow: " + number(arrow_speed_, 3) + " m/s");
+  }
+  for (const Pane& p : frame_.panes)
+    for (const std::string& note : p.snapshot->notes)
+      if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) notes_.push_back(note);
+}
+
+std::string Page::time_text(double time) const {
+  const int decimals = frame_.duration > 0 && frame_.duration < 0.1 ? 4 : frame_.duration < 20 ? 3 : 2;
+  std::array<char, 48> text{};
+  std::snprintf(text.data(), text.size(), "t = %.*f s", decimals, time);
+  return text.data();
+}
+
+void Page::draw_under(gui::Ink& ink) const {
+  for (const PaneView& v : views_) {
+    ink.fill(v.frame, palette_.pane, ink.pt(4));
+    if (v.snapshot->dim == 3)
+      draw_box(ink, v, palette_.wall);
+    else if (view_.grid)
+      draw_grid(ink, v, palette_);
+  }
+}
+
+void Page::draw_over(gui::Ink& ink) const {
+  draw_header(ink);
+  for (std::size_t i = 0; i < views_.size(); ++i) draw_pane(ink, i);
+  draw_legend(ink);
+  draw_plots(ink, layout_.plots, plots_, frame_, palette_);
+  draw_footer(ink);
+}
+
+void Page::draw_header(gui::Ink& ink) const {
+  ink.text(layout_.title, Type::title, palette_.text, frame_.title);
+  ink.text(layout_.time, Type::title, palette_.text, time_text(frame_.time), Align::right);
+  draw_colour_bar(ink, layout_.colour_label, layout_.colour_bar, scale_, palette_);
+}
+
+/// The longest form that fits.
+std::string Page::caption(gui::Ink& ink, std::size_t i, float width) const {
+  const Snapshot& s = *frame_.panes[i].snapshot;
+  const Prefix prefix = s.dt >= 1e-5 && s.dt < 1 ? Prefix{1e3, "m"} : si_prefix(s.dt);
+  const std::string dt = number(s.dt * prefix.factor, 3) + " " + prefix.letter + "s";
+  const std::string steps = grouped(s.steps);
+  for (const std::string& text :
+       {"Δt " + dt + "  ·  " + steps + " steps", "Δt " + dt + " · " + steps + " steps", dt + " · " + steps + " st."})
+    if (ink.fonts().width(Type::small, text) <= width) return text;
+  return dt + " · " + steps;
+}
+
+void Page::draw_pane(gui::Ink& ink, std::size_t i) const {
+  const PaneBox& box = layout_.panes[i];
+  const PaneView& v = views_[i];
+  if (v.snapshot->dim == 2) {
+    if (view_.walls) draw_walls(ink, v, palette_);
+    if (view_.arrows) draw_arrows(ink, v, palette_, arrow_speed_);
+  }
+  ink.frame(v.frame, v.colour, std::round(ink.pt(2)), ink.pt(4));
+  ink.text(box.title, Type::strong, palette_.text, frame_.panes[i].title);
+  if (view_.captions) ink.text(box.caption, Type::small, palette_.muted, caption(ink, i, box.caption.w));
+}
+
+void Page::draw_legend(gui::Ink& ink) const {
+  for (std::size_t i = 0; i < layout_.legend.size(); ++i) {
+    const Rect& r = layout_.legend[i];
+    const float y = std::round(r.middle_y()), swatch = ink.pt(legend_swatch - 6);
+    draw_stroke(ink, std::array{gui::Point{r.x, y}, gui::Point{r.x + swatch, y}}, i, palette_);
+    const float indent = ink.pt(legend_swatch);
+    ink.text({r.x + indent, r.y, r.w - indent, r.h}, Type::small, palette_.text, frame_.panes[i].title);
+  }
+}
+
+void Page::draw_footer(gui::Ink& ink) const {
+  const std::size_t total = warnings_.size() + notes_.size(), shown = std::min(total, most_footer_lines);
+  if (shown == 0) return;
+  const Rect& f = layout_.footer;
+  const float h = f.h / static_cast<float>(shown);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const bool warning = i < warnings_.size();
+    const std::string more =
+        i + 1 == shown && total > shown ? "  (and " + std::to_string(total - shown) + " more)" : "";
+    const std::string& text = warning ? warnings_[i] : notes_[i - warnings_.size()];
+    ink.text({f.x, f.y + static_cast<float>(i) * h, f.w, h}, Type::small, warning ? palette_.warning : palette_.muted,
+             (warning ? "Warning: " : "") + text + more);
+  }
+}
+
+} // namespace flipbook::render

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// One page: what the frame says, measured, placed and drawn, apart from the particles and the panel.
+#pragma once
+
+#include "render/compose/layout.h"
+#include "render/views/colour_by.h"
+#include "render/views/pane_view.h"
+#include "render/views/plots.h"
+
+namespace flipbook::render {
+
+class Page {
+public:
+  Page(const Frame& frame, const ViewSettings& view, const gui::Fonts& fonts, int width, int height);
+
+  [[nodiscard]] const Layout& layout() const { return layout_; }
+  [[nodiscard]] const std::vector<PaneView>& panes() const { return views_; }
+  [[nodiscard]] const std::vector<std::vector<float>>& values() const { return values_; }
+  [[nodiscard]] const ColourScale& scale() const { return scale_; }
+
+  /// Below the particles: backgrounds and lattice lines.
+  void draw_under(gui::Ink& ink) const;
+  /// Above them: walls, arrows, frames, text, plots.
+  void draw_over(gui::Ink& ink) const;
+
+private:
+  void place_domains(float padding);
+  void collect_footer();
+  void draw_header(gui::Ink& ink) const;
+  void draw_pane(gui::Ink& ink, std::size_t i) const;
+  void draw_legend(gui::Ink& ink) const;
+  void draw_footer(gui::Ink& ink) const;
+  [[nodiscard]] std::string caption(gui::Ink& ink, std::size_t i, float width) const;
+  [[nodiscard]] std::string time_text(double time) const;
+
+  const Frame& frame_;
+  const ViewSettings& view_;
+  const Palette& palette_;
+  std::vector<std::vector<float>> values_; ///< to colour by, for each pane
+  ColourScale scale_;
+  std::vector<Plot> plots_;
+  double arrow_speed_ = 0;
+  std::vector<std::string> warnings_, notes_;
+  Layout layout_;
+  std::vector<PaneView> views_;
+};
+
+} // namespace flipbook::render

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Everything that one picture is made from. A picture is a pure function of a Frame and the ViewSettings.
+#pragma once
+
+#include "sim/frame/snapshot.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace flipbook::render {
+
+/// A parameter that the timeline moves in this run: where the drawn pointer is. Every frame lists all of them, with
+/// grip 0 while nothing happens, so that the rows of the panel stay where they are.
+struct PointerTarget {
+  std::string path; ///< "transfer.flip_ratio"
+  int variant = -1; ///< -1: the row that all panes share
+  double grip = 0;  ///< 0: far away, 1: at the widget; in between the pointer travels (eased already)
+  bool pressed = false;
+};
+
+struct Pane {
+  std::string title;                        ///< from the solver that ran, plus what differs between the panes
+  std::shared_ptr<const Snapshot> snapshot; ///< never null
+};
+
+struct Frame {
+  std::string title;
+  double time = 0;         ///< seconds simulated
+  double duration = 0;     ///< of the whole run, for the plots' time axis
+  std::vector<Pane> panes; ///< 1 to 12
+  std::vector<PointerTarget>
+      pointer; ///< the pointer goes to the one with the largest grip; all 0 or empty: none is drawn
+  std::vector<std::string> warnings; ///< "panes 2 and 3 show identical particles"
+};
+
+} // namespace flipbook::render

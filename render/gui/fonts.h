@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// The type faces of a picture, drawn by FreeType at exactly the sizes in use, so that text is crisp in any picture
+// size.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <string_view>
+
+struct ImFont;
+struct ImFontAtlas;
+
+namespace flipbook::render::gui {
+
+/// The few sizes that everything is set in, small to large.
+enum class Type { small, body, strong, title };
+
+class Fonts {
+public:
+  /// Sizes for a picture where one point is `scale` pixels.
+  explicit Fonts(float scale);
+  ~Fonts();
+  Fonts(const Fonts&) = delete;
+  Fonts& operator=(const Fonts&) = delete;
+
+  [[nodiscard]] ImFont* font(Type t) const { return fonts_[static_cast<std::size_t>(t)]; }
+  [[nodiscard]] float size(Type t) const; ///< pixels
+  [[nodiscard]] float width(Type t, std::string_view text) const;
+  /// The text, or as much of it as fits followed by an ellipsis.
+  [[nodiscard]] std::string fit(Type t, std::string_view text, float max_width) const;
+  [[nodiscard]] float scale() const { return scale_; }
+  [[nodiscard]] ImFontAtlas& atlas() const { return *atlas_; }
+  /// Empty, or what a user should know: no font file was found.
+  [[nodiscard]] const std::string& note() const { return note_; }
+
+private:
+  float scale_;
+  std::unique_ptr<ImFontAtlas> atlas_;
+  std::array<ImFont*, 4> fonts_{};
+  std::string note_;
+};
+
+} // namespace flipbook::render::gui

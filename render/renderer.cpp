@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "render/renderer.h"
+
+#include "render/compose/page.h"
+#include "render/gui/painter.h"
+#include "render/gui/pointer.h"
+#include "render/gui/session.h"
+#include "render/views/particles.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace flipbook::render {
+namespace {
+
+/// The parameter that the hand is at, or none.
+const PointerTarget* chosen_target(const Frame& frame) {
+  const PointerTarget* best = nullptr;
+  for (const PointerTarget& t : frame.pointer)
+    if (t.grip > 0 && (best == nullptr || t.grip > best->grip)) best = &t;
+  return best;
+}
+
+const Widget* find_widget(const std::vector<Widget>& widgets, const PointerTarget& target) {
+  const Widget* any = nullptr;
+  for (const Widget& w : widgets) {
+    if (w.path != target.path) continue;
+    if (w.variant == target.variant) return &w;
+    if (any == nullptr) any = &w; // a shared row that stands for the pane, or the first of the panes' rows
+  }
+  return any;
+}
+
+} // namespace
+
+struct Renderer::Impl {
+  Impl(Context& context, int width, int height, PanelBuilder builder)
+      : gl(context), canvas(gl, width, height), fonts(point_size(width, height)), painter(gl, fonts), particles(gl),
+        panel(std::move(builder)) {}
+
+  /// Runs the panel until the widget under the pointer knows it; returns where the pointer is.
+  std::optional<gui::Hand> run_panel(gui::Session& session, const Frame& frame, const ViewSettings& view,
+                                     const Rect& box) {
+    std::vector<Widget> widgets;
+    std::vector<TextBox> texts;
+    const auto pass = [&](const std::optional<gui::Hand>& hand) {
+      session.pass(hand, [&] {
+        widgets.clear();
+        texts.clear();
+        PanelArea area{box, fonts.scale(), fonts, palette(view.theme), widgets, texts};
+        if (panel && view.show_panel) panel(frame, view, area);
+      });
+    };
+    pass(std::nullopt);
+    std::optional<gui::Hand> hand;
+    const PointerTarget* target = chosen_target(frame);
+    if (const Widget* w = target == nullptr ? nullptr : find_widget(widgets, *target); w != nullptr) {
+      hand = gui::Hand{gui::pointer_at({w->grip_x, w->grip_y}, target->grip, canvas.width(), canvas.height()), false};
+      pass(hand);
+      if (target->pressed) {
+        hand->pressed = true;
+        pass(hand);
+      }
+    }
+    labels.insert(labels.end(), texts.begin(), texts.end());
+    return hand;
+  }
+
+  Image draw(const Frame& frame, const ViewSettings& view) {
+    labels.clear();
+    const Palette& colours = palette(view.theme);
+    const Page page(frame, view, fonts, canvas.width(), canvas.height());
+    gui::Session session(fonts, canvas.width(), canvas.height(), colours);
+    const std::optional<gui::Hand> hand = run_panel(session, frame, view, page.layout().panel);
+
+    canvas.bind();
+    gl.Disable(GL_SCISSOR_TEST);
+    gl.ClearColor(colours.page.r / 255.F, colours.page.g / 255.F, colours.page.b / 255.F, 1);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    ink_layer(session, [&](gui::Ink& ink) { page.draw_under(ink); });
+    for (std::size_t i = 0; i < page.panes().size(); ++i)
+      particles.draw(page.panes()[i], page.values()[i], page.scale(), view.particle_size, canvas);
+    ink_layer(session, [&](gui::Ink& ink) { page.draw_over(ink); });
+    const ImDrawData& widgets = session.data();
+    for (int i = 0; i < widgets.CmdListsCount; ++i) painter.draw(*widgets.CmdLists[i], canvas);
+    if (hand) ink_layer(session, [&](gui::Ink& ink) { draw_pointer(ink, hand->at, hand->pressed); });
+    return canvas.read();
+  }
+
+  template <class Draw> void ink_layer(const gui::Session& session, Draw&& draw_on) {
+    const std::unique_ptr<ImDrawList> list = session.list();
+    gui::Ink ink(*list, fonts, labels);
+    draw_on(ink);
+    painter.draw(*list, canvas);
+  }
+
+  gl::Functions gl;
+  gl::Canvas canvas;
+  gui::Fonts fonts;
+  gui::Painter painter;
+  ParticleView particles;
+  PanelBuilder panel;
+  std::vector<TextBox> labels;
+};
+
+Renderer::Renderer(Context& context, int width, int height, PanelBuilder panel)
+    : impl_(std::make_unique<Impl>(context, width, height, std::move(panel))) {}
+Renderer::~Renderer() = default;
+
+Image Renderer::draw(const Frame& frame, const ViewSettings& view) {
+  return impl_->draw(frame, view);
+}
+const std::vector<TextBox>& Renderer::labels() const {
+  return impl_->labels;
+}
+const std::string& Renderer::note() const {
+  return impl_->fonts.note();
+}
+
+} // namespace flipbook::render

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Draws frames. Owns everything on the GL side; lives on the thread that made its context current.
+#pragma once
+
+#include "render/context/context.h"
+#include "render/frame.h"
+#include "render/gui/fonts.h"
+#include "render/image.h"
+#include "render/shapes.h"
+#include "render/theme.h"
+#include "render/view_settings.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace flipbook::render {
+
+/// A widget of the panel, for the pointer: which parameter it moves, and where it is held.
+struct Widget {
+  std::string path;
+  int variant = -1; ///< -1: the row that all panes share
+  Rect box;
+  float grip_x = 0, grip_y = 0; ///< the handle of a slider, the middle of a box
+};
+
+/// Where the panel goes, and what it is drawn with.
+struct PanelArea {
+  Rect box;    ///< pixels
+  float scale; ///< pixels of a point
+  const gui::Fonts& fonts;
+  const Palette& palette;
+  std::vector<Widget>& widgets; ///< the builder adds each widget that it shows
+  std::vector<TextBox>& labels; ///< and each text
+};
+
+/// Builds the Dear ImGui panel for a frame; the program supplies it. It is called a few times for each frame, inside a
+/// Dear ImGui frame, and must depend on its arguments only.
+using PanelBuilder = std::function<void(const Frame&, const ViewSettings&, PanelArea&)>;
+
+class Renderer {
+public:
+  /// The context must be current, and stay with this thread while the renderer is used. An empty `panel` draws none.
+  Renderer(Context& context, int width, int height, PanelBuilder panel);
+  ~Renderer();
+  /// A pure function of its arguments: the same bytes whatever was drawn before.
+  [[nodiscard]] Image draw(const Frame& frame, const ViewSettings& view);
+  /// Where the text of the last picture is.
+  [[nodiscard]] const std::vector<TextBox>& labels() const;
+  /// What a user should know about this machine (fonts that were not found); empty: nothing.
+  [[nodiscard]] const std::string& note() const;
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+} // namespace flipbook::render

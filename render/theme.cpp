@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "render/theme.h"
+
+namespace flipbook::render {
+namespace {
+
+// The variants begin with the colours of Okabe and Ito's set for colour-blind readers, lightened for the dark theme and
+// darkened for the light one until each stands out from its background; from the seventh on curves are dashed as well.
+constexpr Palette dark{
+    .page = Colour::hex(0x0f1216),
+    .pane = Colour::hex(0x161a20),
+    .text = Colour::hex(0xe9ecef),
+    .muted = Colour::hex(0x9aa4af),
+    .line = Colour::hex(0x2c333c),
+    .grid = Colour::hex(0x262d36),
+    .wall = Colour::hex(0x39424d),
+    .track = Colour::hex(0x2a313a),
+    .accent = Colour::hex(0x7d8996),
+    .grip = Colour::hex(0xe9ecef),
+    .arrow = Colour::hex(0xf4f6f8),
+    .warning = Colour::hex(0xf2b33d),
+    .variants = {Colour::hex(0x56b4e9), Colour::hex(0xe69f00), Colour::hex(0x20b58a), Colour::hex(0xe07bb4),
+                 Colour::hex(0xf0e442), Colour::hex(0xf0693a), Colour::hex(0x8f9cf5), Colour::hex(0xb8c0c8),
+                 Colour::hex(0xb5e07a), Colour::hex(0xc79a6b), Colour::hex(0x7fe0d6), Colour::hex(0xf3b6a8)},
+};
+
+constexpr Palette light{
+    .page = Colour::hex(0xffffff),
+    .pane = Colour::hex(0xf6f7f9),
+    .text = Colour::hex(0x1a1f25),
+    .muted = Colour::hex(0x5b6671),
+    .line = Colour::hex(0xd9dee3),
+    .grid = Colour::hex(0xdfe3e8),
+    .wall = Colour::hex(0xc3cad2),
+    .track = Colour::hex(0xe0e4e9),
+    .accent = Colour::hex(0x8a95a1),
+    .grip = Colour::hex(0x3a434d),
+    .arrow = Colour::hex(0x11151a),
+    .warning = Colour::hex(0xa86200),
+    .variants = {Colour::hex(0x0072b2), Colour::hex(0xd98200), Colour::hex(0x008a64), Colour::hex(0xb8528c),
+                 Colour::hex(0x9a8a00), Colour::hex(0xc8440f), Colour::hex(0x4a52c4), Colour::hex(0x5f6871),
+                 Colour::hex(0x5c8f1f), Colour::hex(0x8a5a2b), Colour::hex(0x12949a), Colour::hex(0xd0706a)},
+};
+
+} // namespace
+
+const Palette& palette(Theme theme) {
+  return theme == Theme::dark ? dark : light;
+}
+
+} // namespace flipbook::render

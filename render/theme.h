@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The colours of the two themes. Both are quiet, so that the data is the brightest thing in the picture.
+#pragma once
+
+#include "render/shapes.h"
+#include "render/view_settings.h"
+
+#include <array>
+
+namespace flipbook::render {
+
+struct Palette {
+  Colour page, pane, text, muted; ///< backgrounds; text and secondary text
+  Colour line, grid, wall;        ///< separators, lattice lines, solid walls
+  Colour track, accent, grip;     ///< widgets: trough, filled part, handle
+  Colour arrow, warning;
+  std::array<Colour, 12> variants; ///< frame of a pane and its curves
+  [[nodiscard]] Colour variant(std::size_t i) const { return variants[i % variants.size()]; }
+};
+
+[[nodiscard]] const Palette& palette(Theme theme);
+
+} // namespace flipbook::render

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// How a frame is drawn: the parameters below `view.`.
+#pragma once
+
+#include "sim/frame/parameters.h"
+#include "sim/frame/snapshot.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace flipbook::render {
+
+enum class Theme { light, dark };
+
+struct ViewSettings {
+  Theme theme = Theme::dark;
+  int colour = 0;                    ///< index into the list of colour quantities (render/views/colour_by.h)
+  int map = 0;                       ///< index into the list of colour maps; the first, "auto", suits the quantity
+  std::array<double, 2> range{0, 0}; ///< of the shared colour scale; equal ends: found from the data
+  double particle_size = 1.35;       ///< diameter of a disc in particle spacings; above 1 closes the gaps
+  bool walls = true, grid = false, arrows = false;
+  bool captions = true; ///< dt and steps below each pane
+  bool show_panel = true;
+  std::vector<std::string> panel; ///< parameter paths (or last parts) to show; empty: the teach-level ones that apply
+  std::vector<std::string> plots{"kinetic", "potential", "total", "transfer_loss"};
+  double plot_height = 0.24; ///< share of the frame; 0: no plots
+
+  void describe(ParameterVisitor& v);
+  /// What the simulation must publish for these settings.
+  [[nodiscard]] FrameRequest request() const;
+};
+
+} // namespace flipbook::render

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// No text covers another or leaves the picture, for any number of panes and any size.
+#include "app/panel/panel.h"
+#include "render/compose/layout.h"
+#include "tests/golden/pictures.h"
+
+#include <gtest/gtest.h>
+
+namespace flipbook::test {
+namespace {
+
+using render::Layout;
+using render::LayoutRequest;
+using render::Rect;
+
+struct Size {
+  int width, height;
+};
+
+class Labels : public testing::TestWithParam<Size> {
+protected:
+  void check(const render::Frame& frame, const render::ViewSettings& view, const std::string& what) {
+    (void)renderer_.draw(frame, view);
+    const std::vector<render::TextBox>& labels = renderer_.labels();
+    EXPECT_GE(labels.size(), 2 * frame.panes.size()) << what;
+    const Rect page{0, 0, static_cast<float>(GetParam().width), static_cast<float>(GetParam().height)};
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      const Rect& box = labels[i].box;
+      EXPECT_TRUE(box.x >= 0 && box.y >= 0 && box.right() <= page.w && box.bottom() <= page.h)
+          << what << ": \"" << labels[i].text << "\" leaves the picture";
+      for (std::size_t k = i + 1; k < labels.size(); ++k)
+        EXPECT_FALSE(box.overlaps(labels[k].box))
+            << what << ": \"" << labels[i].text << "\" covers \"" << labels[k].text << "\"";
+    }
+  }
+  std::unique_ptr<render::Context> context_ = render::Context::create(render::Backend::automatic);
+  render::Renderer renderer_{*context_, GetParam().width, GetParam().height, app::make_panel()};
+};
+
+TEST_P(Labels, KeepClearOfEachOther) {
+  for (std::size_t panes = 1; panes <= 12; ++panes) check(dam_frame(panes), {}, std::to_string(panes) + " panes");
+}
+
+TEST_P(Labels, KeepClearOfEachOtherWhenLong) {
+  for (const std::size_t panes : {2U, 5U, 12U}) {
+    render::Frame frame = dam_frame(panes);
+    frame.title += " to energy, vorticity and everything else that a reader of this very long title could want to know";
+    for (render::Pane& p : frame.panes) p.title += ", quadratic, CFL 0.5, midpoint, no-slip walls, 256 x 256 cells";
+    frame.warnings = {"panes 1 and 2 show identical particles",
+                      "a warning that goes on " + std::string(400, '-') + " for longer than the picture is wide"};
+    frame.pointer = {{"transfer.flip_ratio", 1, 1, true}};
+    check(frame, view_with({"view.arrows=true", "view.colour=vorticity"}), std::to_string(panes) + " long titles");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, Labels,
+                         testing::Values(Size{854, 480}, Size{1280, 720}, Size{1920, 1080}, Size{3840, 2160},
+                                         Size{1080, 1080}, Size{1080, 1920}),
+                         [](const auto& test) {
+                           return std::to_string(test.param.width) + "x" + std::to_string(test.param.height);
+                         });
+
+bool inside(const Rect& r, const Rect& page) {
+  return r.x >= page.x && r.y >= page.y && r.right() <= page.right() && r.bottom() <= page.bottom();
+}
+
+/// Every shape of domain, with and without each part.
+TEST(Layout, PartsAreInsideAndApart) {
+  for (const double aspect : {0.25, 0.5, 1.0, 2.0, 4.0, 8.0})
+    for (std::size_t panes = 1; panes <= 12; ++panes)
+      for (const bool panel : {false, true})
+        for (const std::size_t plots : {0U, 1U, 4U}) {
+          LayoutRequest r;
+          r.panes = panes;
+          r.domain_width = aspect;
+          r.domain_height = 1;
+          r.panel = panel;
+          r.plots = plots;
+          r.time = 90;
+          r.colour_label = 80;
+          r.legend.assign(panes, 120);
+          const Layout l = render::arrange(r);
+          ASSERT_EQ(l.panes.size(), panes);
+          ASSERT_EQ(l.plots.size(), plots);
+          std::vector<Rect> parts = l.plots;
+          for (const render::PaneBox& p : l.panes) {
+            parts.insert(parts.end(), {p.title, p.frame, p.caption});
+            EXPECT_GT(p.frame.w, 20) << aspect << " " << panes;
+            EXPECT_GT(p.frame.h, 20) << aspect << " " << panes;
+          }
+          if (panel) parts.push_back(l.panel);
+          for (std::size_t i = 0; i < parts.size(); ++i) {
+            EXPECT_TRUE(inside(parts[i], {0, 0, 1280, 720})) << aspect << " " << panes << " part " << i;
+            for (std::size_t k = i + 1; k < parts.size(); ++k)
+              EXPECT_FALSE(parts[i].overlaps(parts[k])) << aspect << " " << panes << " parts " << i << " " << k;
+          }
+        }
+}
+
+TEST(Layout, PanesUseTheSpace) {
+  LayoutRequest r;
+  r.plots = 0;
+  r.panel = false;
+  for (std::size_t panes = 1; panes <= 12; ++panes) {
+    r.panes = panes;
+    const Layout l = render::arrange(r);
+    float area = 0;
+    for (const render::PaneBox& p : l.panes) area += p.frame.w * p.frame.h;
+    // Squares in a 16:9 picture: one fills half of it, and no number of them should do much worse.
+    EXPECT_GT(area, 0.38F * 1280 * 720) << panes;
+  }
+}
+
+} // namespace
+} // namespace flipbook::test
