@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// flipbook list WHAT: every name that a study or an option may use.
+#include "app/commands/command.h"
+#include "app/study/output_settings.h"
+#include "app/study/study.h"
+#include "render/view_settings.h"
+#include "sim/frame/errors.h"
+#include "sim/kernels/kernels.h"
+#include "sim/scene/read_scene.h"
+#include "sim/transfer/schemes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+
+namespace flipbook::app {
+
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+/// Columns padded to their widest entry; the last one is not.
+void print(const Rows& rows) {
+  std::vector<std::size_t> width;
+  for (const auto& row : rows)
+    for (std::size_t c = 0; c + 1 < row.size(); ++c) {
+      width.resize(std::max(width.size(), c + 1));
+      width[c] = std::max(width[c], row[c].size());
+    }
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t c = 0; c < row.size(); ++c)
+      line += c + 1 < row.size() ? row[c] + std::string(width[c] + 2 - row[c].size(), ' ') : row[c];
+    std::cout << line << '\n';
+  }
+}
+
+/// "0 to 1 m", "quadratic | cubic", ...
+std::string values(const Parameter& p) {
+  std::string text;
+  for (const std::string& o : p.options) text += (text.empty() ? "" : "|") + o;
+  if (p.kind == Kind::flag) return "true|false";
+  if (!p.options.empty() || p.kind == Kind::text || p.kind == Kind::names) return text;
+  const bool below = std::isfinite(p.min), above = std::isfinite(p.max);
+  if (below && above) text = to_toml(Value(p.min)) + " to " + to_toml(Value(p.max));
+  if (below && !above) text = "at least " + to_toml(Value(p.min));
+  if (!below && above) text = "at most " + to_toml(Value(p.max));
+  return p.unit.empty() ? text : text + (text.empty() ? "" : " ") + p.unit;
+}
+
+void add_parameters(Rows& rows, const std::vector<Parameter>& all, const std::string& prefix) {
+  for (const Parameter& p : all)
+    rows.push_back({prefix + p.path, to_toml(p.value), values(p), p.effect == Effect::live ? "live" : "start", p.help});
+}
+
+void list_parameters() {
+  Settings settings;
+  render::ViewSettings view;
+  OutputSettings output;
+  Rows rows{{"PATH", "DEFAULT", "VALUES", "WHEN", "MEANING"}};
+  add_parameters(rows, parameters_of(settings), "");
+  add_parameters(rows, parameters_of(view), "view.");
+  add_parameters(rows, parameters_of(output), "output.");
+  print(rows);
+}
+
+void list_scene_names() {
+  Rows rows;
+  for (const std::string& name : list_scenes()) rows.push_back({name, read_scene(name).summary});
+  print(rows);
+}
+
+void list_study_names() {
+  Rows rows;
+  for (const std::string& name : list_studies()) rows.push_back({name, read_study(name).title});
+  print(rows);
+}
+
+void list_schemes() {
+  Rows rows;
+  for (const SchemeInfo& s : scheme_infos())
+    rows.push_back(
+        {std::string(s.name) + (s.first ? "[:" + s.first->path.substr(s.first->path.rfind('.') + 1) + "]" : ""),
+         std::string(s.label), std::string(s.summary)});
+  print(rows);
+}
+
+void list_kernels() {
+  Rows rows;
+  for (const Option& k : kernel_options()) rows.push_back({std::string(k.name), std::string(k.help)});
+  print(rows);
+}
+
+/// What can be drawn: the options of the view's choices.
+void list_views() {
+  render::ViewSettings view;
+  Rows rows;
+  for (const Parameter& p : parameters_of(view))
+    for (std::size_t i = 0; i < p.options.size(); ++i)
+      rows.push_back({"view." + p.path, p.options[i], i < p.option_help.size() ? p.option_help[i] : ""});
+  print(rows);
+}
+
+void list_commands() {
+  Rows rows;
+  for (const CommandEntry& c : commands()) rows.push_back({c.name, c.summary});
+  print(rows);
+}
+
+struct Subject {
+  const char* name;
+  void (*print)();
+};
+constexpr std::array<Subject, 7> subjects{{{"scenes", list_scene_names},
+                                           {"studies", list_study_names},
+                                           {"schemes", list_schemes},
+                                           {"kernels", list_kernels},
+                                           {"parameters", list_parameters},
+                                           {"views", list_views},
+                                           {"commands", list_commands}}};
+
+class List final : public Command {
+public:
+  void options(OptionVisitor& v) override {
+    v.positional("WHAT", what_, "scenes, studies, schemes, kernels, parameters, views or commands");
+  }
+  int run() override {
+    std::vector<std::string> names;
+    for (const Subject& s : subjects) {
+      if (what_ == s.name) return s.print(), 0;
+      names.emplace_back(s.name);
+    }
+    throw UserError("there is no list of \"" + what_ + "\"", {}, nearest_name(what_, names));
+  }
+
+private:
+  std::string what_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> make_list() {
+  return std::make_unique<List>();
+}
+
+} // namespace flipbook::app

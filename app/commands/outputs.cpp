@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands/outputs.h"
+
+#include "app/encode/png.h"
+#include "app/encode/video.h"
+#include "sim/frame/errors.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace flipbook::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The lower-case extension of a file's name; empty for a folder.
+std::string file_kind(const std::string& name) {
+  std::error_code none;
+  if (name.empty()) throw UserError("-o wants a name");
+  if (name.ends_with('/') || fs::is_directory(name, none)) return "";
+  std::string kind = fs::path(name).extension().string();
+  std::transform(kind.begin(), kind.end(), kind.begin(),
+                 [](char c) { return 'A' <= c && c <= 'Z' ? char(c + 32) : c; });
+  return kind;
+}
+
+[[noreturn]] void refuse(const std::string& name, const std::string& valid) {
+  throw UserError("-o " + name + ": a name ends in " + valid + ", or in / for a folder of PNG pictures");
+}
+
+/// A comment that long would not fit on ffmpeg's command line.
+constexpr std::size_t longest_comment = 60'000;
+
+} // namespace
+
+std::vector<std::unique_ptr<Sink>> video_sinks(const std::vector<std::string>& names, const Resolved& r,
+                                               const std::string& study) {
+  std::vector<std::unique_ptr<Sink>> sinks;
+  for (const std::string& name : names) {
+    const std::string kind = file_kind(name);
+    if (kind.empty())
+      sinks.push_back(png_sequence(name));
+    else if (kind == ".mp4")
+      sinks.push_back(video_file(name, {.width = r.output.size[0],
+                                        .height = r.output.size[1],
+                                        .fps = r.output.fps,
+                                        .crf = r.output.crf,
+                                        .title = r.title,
+                                        .comment = study.size() < longest_comment ? study : ""}));
+    else
+      refuse(name, ".mp4");
+  }
+  return sinks;
+}
+
+std::vector<std::unique_ptr<Sink>> still_sinks(const std::vector<std::string>& names, const Resolved& r,
+                                               std::size_t pictures) {
+  std::vector<std::unique_ptr<Sink>> sinks;
+  for (const std::string& name : names) {
+    const std::string kind = file_kind(name);
+    if (kind.empty()) {
+      const auto by_time = [study = r.name](const Provenance& p) {
+        return study + "_" + to_toml(Value(p.time)) + "s.png";
+      };
+      sinks.push_back(png_files(name, by_time, name));
+    } else if (kind == ".png" && pictures == 1) {
+      const auto fixed = [file = fs::path(name).filename().string()](const Provenance&) { return file; };
+      sinks.push_back(png_files(fs::path(name).parent_path(), fixed, name));
+    } else {
+      refuse(name, ".png for a single time");
+    }
+  }
+  return sinks;
+}
+
+} // namespace flipbook::app

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// flipbook render STUDY|SCENE
+#include "app/commands/run_options.h"
+
+namespace flipbook::app {
+
+namespace {
+
+class Render final : public Command {
+public:
+  void options(OptionVisitor& v) override {
+    v.positional("STUDY", study_, "Name or path of a study or a scene");
+    options_.describe(v);
+  }
+  int run() override { return options_.make_video(read_study(study_)); }
+
+private:
+  std::string study_;
+  RunOptions options_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> make_render() {
+  return std::make_unique<Render>();
+}
+
+} // namespace flipbook::app

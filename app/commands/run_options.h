@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The options that every command with pictures has, and the way from them to a finished run.
+#pragma once
+
+#include "app/commands/command.h"
+#include "app/session/session.h"
+#include "app/study/resolve.h"
+#include "app/study/study.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace flipbook::app {
+
+class RunOptions {
+public:
+  void describe(OptionVisitor& v);
+
+  /// Applies the options to a study and runs it as a video or frames.
+  int make_video(Study study) const;
+  /// The same as single pictures at the given times.
+  int make_stills(Study study, const std::vector<double>& times) const;
+
+private:
+  using MakeSchedule = std::function<Schedule(const Resolved&)>;
+  using MakeSinks = std::function<std::vector<std::unique_ptr<Sink>>(const Resolved&, const std::string& toml)>;
+  int run(Study study, const MakeSchedule& make_schedule, const MakeSinks& make_sinks) const;
+  void apply(Study& study) const;
+  [[nodiscard]] SessionOptions session_options() const;
+
+  std::vector<std::string> sets_, outputs_;
+  std::string dim_, cells_, frames_, duration_, fps_, size_, precision_, threads_, gl_ = "auto", save_study_;
+  bool quiet_ = false;
+};
+
+/// A number between lo and hi, or a UserError that names the option.
+[[nodiscard]] double parse_number(const std::string& text, const std::string& option, double lo, double hi);
+
+} // namespace flipbook::app

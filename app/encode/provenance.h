@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// What a picture says about itself: enough to make the same picture again, and nothing else (no path, no clock, no
+// number of threads, no GL context), so that equal runs give equal bytes.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace flipbook::app {
+
+/// The part that all pictures of a run share.
+struct RunProvenance {
+  std::string study;    ///< the full study as TOML
+  std::string variants; ///< pane titles at the start, one a line
+  int seed = 0;
+};
+
+struct Provenance {
+  std::shared_ptr<const RunProvenance> run;
+  std::uint64_t frame = 0;
+  double time = 0; ///< seconds simulated
+};
+
+using TextEntries = std::vector<std::pair<std::string, std::string>>;
+
+/// Keyword and text, in a fixed order: flipbook:version, flipbook:frame, flipbook:time, ...
+[[nodiscard]] TextEntries text_entries(const Provenance& p);
+
+[[nodiscard]] std::string version();     ///< "0.1.0"
+[[nodiscard]] std::string build_level(); ///< instruction set that the compiler was allowed to use: "x86-64-v2"
+
+} // namespace flipbook::app

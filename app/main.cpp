@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// The program: a table of commands, and the one place where failures become exit codes.
+#include "app/commands/command.h"
+#include "app/encode/provenance.h"
+#include "app/session/failure.h"
+#include "sim/frame/errors.h"
+
+#include <array>
+#include <csignal>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace flipbook::app {
+
+namespace {
+
+const std::array<CommandEntry, 6> table{{
+    {"render", "Make a video (or frames) of a study or a scene",
+     "Examples:\n  flipbook render dam_break\n  flipbook render my_study.toml -o film.mp4 -o frames/", make_render},
+    {"compare", "The same scene with several schemes or parameter values, side by side",
+     "Examples:\n  flipbook compare dam_break\n  flipbook compare taylor_green --schemes pic,flip:0.95,apic --set "
+     "view.colour=vorticity\n  flipbook compare dam_break --vary transfer.flip_ratio=0,0.5,0.95,1",
+     make_compare},
+    {"still", "Single pictures at given times", "Examples:\n  flipbook still drop --at 0.2,0.4,0.6", make_still},
+    {"verify", "Check the conservation properties of the transfers, one row for each",
+     "Examples:\n  flipbook verify\n  flipbook verify --only angular --json", make_verify},
+    {"list", "List scenes, studies, schemes, kernels, parameters, views or commands",
+     "Examples:\n  flipbook list parameters", make_list},
+    {"info", "Show what a picture says about itself",
+     "Examples:\n  flipbook info frame_000012.png\n  flipbook info frame_000012.png --study -o study.toml", make_info},
+}};
+
+void print_help() {
+  std::cout << "Comparison videos of particle-grid simulations, from one text file, without a display.\n\n"
+               "Usage: flipbook COMMAND [OPTIONS]\n\nCommands:\n";
+  for (const CommandEntry& c : table)
+    std::cout << "  " << c.name << std::string(10 - c.name.size(), ' ') << c.summary << '\n';
+  std::cout << "\nOptions:\n  -h,--help   This text; flipbook COMMAND --help tells more\n"
+               "  --version   Version and build level\n\nStart with: flipbook compare dam_break\n";
+}
+
+int run(std::vector<std::string> arguments) {
+  if (arguments.empty() || arguments[0] == "--help" || arguments[0] == "-h" || arguments[0] == "help") {
+    print_help();
+    return arguments.empty() ? 2 : 0;
+  }
+  if (arguments[0] == "--version") {
+    std::cout << "flipbook " << version() << " (" << build_level() << ")\n";
+    return 0;
+  }
+  const std::string name = arguments[0];
+  arguments.erase(arguments.begin());
+  std::vector<std::string> names{"--help", "--version"};
+  for (const CommandEntry& c : table) {
+    names.push_back(c.name);
+    if (c.name != name) continue;
+    const auto command = c.make();
+    return parse_arguments(c, *command, std::move(arguments)) ? command->run() : 0;
+  }
+  throw UserError((name.starts_with("-") ? "unknown option " : "unknown command ") + ("\"" + name + "\""), {},
+                  nearest_name(name, names));
+}
+
+/// Prints what went wrong in one line and says which exit code that is.
+int explain(const std::exception_ptr& failure) {
+  const auto say = [](const char* what) { std::cerr << "flipbook: " << what << '\n'; };
+  try {
+    std::rethrow_exception(failure);
+  } catch (const UserError& e) {
+    return say(e.what()), 2;
+  } catch (const MachineError& e) {
+    return say(e.what()), 3;
+  } catch (const NonFiniteError& e) {
+    return say(e.what()), 4;
+  } catch (const Interrupted& e) { // everything is tidied up: end as the signal would have ended us
+    std::signal(e.signal, SIG_DFL);
+    return std::raise(e.signal);
+  } catch (const std::bad_alloc&) {
+    return say("out of memory"), 3;
+  } catch (const std::exception& e) {
+    return say(e.what()), 3;
+  }
+}
+
+} // namespace
+
+std::span<const CommandEntry> commands() {
+  return table;
+}
+
+} // namespace flipbook::app
+
+int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN); // a closed pipe or a file size limit shows as a failed write, with a message
+  std::signal(SIGXFSZ, SIG_IGN);
+  try {
+    return flipbook::app::run({argv + 1, argv + argc});
+  } catch (...) {
+    return flipbook::app::explain(std::current_exception());
+  }
+}

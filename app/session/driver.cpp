@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/driver.h"
+
+#include "sim/frame/errors.h"
+
+#include <optional>
+
+namespace flipbook::app {
+
+namespace {
+
+/// The same failure, told with the frame on the way to which it happened.
+class NonFiniteAtFrame final : public NonFiniteError {
+public:
+  NonFiniteAtFrame(const NonFiniteError& e, std::uint64_t frame)
+      : NonFiniteError(e), text_(std::string(e.what()) + ", on the way to frame " + std::to_string(frame)) {}
+  [[nodiscard]] const char* what() const noexcept override { return text_.c_str(); }
+
+private:
+  std::string text_;
+};
+
+} // namespace
+
+std::size_t Bundle::bytes() const {
+  std::size_t sum = 0;
+  for (const auto& s : snapshots) sum += s->bytes();
+  return sum;
+}
+
+Driver::Driver(const Resolved& resolved, const Schedule& schedule, Budget& budget, Exchange<Bundle>& out,
+               std::function<bool()> stop)
+    : resolved_(resolved), request_(resolved.view.request()),
+      commands_(resolved.timeline.commands(resolved.output.fps, resolved.scale, schedule.boundaries())),
+      schedule_(schedule), budget_(budget), out_(out), stop_(std::move(stop)) {}
+
+void Driver::drive() {
+  std::optional<Budget::Permit> permit(std::in_place, budget_);
+  Pool pool(budget_);
+  while (const auto stop = schedule_.next()) {
+    try {
+      if (!variants_) make_variants(pool);
+      if (!variants_->advance_to(stop->time, stop_)) break;
+    } catch (const NonFiniteError& e) {
+      throw NonFiniteAtFrame(e, stop->frame);
+    }
+    particle_steps_ = variants_->particle_steps();
+    if (stop->boundary) apply_commands(stop->frame);
+    Bundle bundle = look(pool, *stop);
+    if (!stop->shown) continue;
+    permit.reset(); // the queue may be full, and whoever empties it needs the permit
+    const std::size_t charge = queue_charge(bundle.bytes(), bundle_queue_bytes);
+    if (!out_.put(std::move(bundle), charge)) break;
+    permit.emplace(budget_);
+  }
+  out_.close();
+}
+
+void Driver::make_variants(Pool& pool) {
+  std::vector<std::unique_ptr<Simulation>> simulations(resolved_.variants.size());
+  std::vector<Lockstep> lockstep;
+  for (const ResolvedVariant& v : resolved_.variants) lockstep.push_back(v.scene.settings.time.lockstep);
+  pool.each(static_cast<int>(simulations.size()), [&](int i) {
+    const auto v = static_cast<std::size_t>(i);
+    simulations[v] = make_simulation(resolved_.variants[v].scene, pool);
+  });
+  variants_ = std::make_unique<Stepper>(std::move(simulations), lockstep, pool);
+}
+
+void Driver::apply_commands(std::uint64_t frame) {
+  for (; next_command_ < commands_.size() && commands_[next_command_].frame <= frame; ++next_command_)
+    apply(commands_[next_command_]);
+}
+
+void Driver::apply(const Command& command) {
+  const auto& [path, value] = std::get<SetParameter>(command.action);
+  const auto check = [&path = path](const Refusal& refusal) {
+    if (!refusal.message.empty()) throw UserError("timeline: " + path + ": " + refusal.message, {}, refusal.nearest);
+  };
+  if (command.variant >= 0) return check((*variants_)[static_cast<std::size_t>(command.variant)].set(path, value));
+  for (std::size_t i = 0; i < variants_->size(); ++i) {
+    for (const Parameter& p : (*variants_)[i].parameters())
+      if (p.path == path && p.applies) check((*variants_)[i].set(path, value));
+  }
+}
+
+Bundle Driver::look(Pool& pool, const Stop& at) {
+  Bundle bundle{at, std::vector<std::shared_ptr<const Snapshot>>(variants_->size())};
+  pool.each(static_cast<int>(variants_->size()), [&](int i) {
+    const auto v = static_cast<std::size_t>(i);
+    bundle.snapshots[v] = (*variants_)[v].snapshot(at.frame, request_);
+  });
+  return bundle;
+}
+
+} // namespace flipbook::app

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// The simulating side of a session: makes the variants, applies the commands, steps to each stop and publishes what is
+// to be drawn.
+#pragma once
+
+#include "app/session/schedule.h"
+#include "app/session/stepper.h"
+#include "app/study/resolve.h"
+#include "sim/core/parallel.h"
+#include "sim/frame/exchange.h"
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace flipbook::app {
+
+/// The variants at one stop.
+struct Bundle {
+  Stop stop;
+  std::vector<std::shared_ptr<const Snapshot>> snapshots;
+  [[nodiscard]] std::size_t bytes() const;
+};
+
+inline constexpr std::size_t bundle_queue_bytes = 64U << 20U;
+
+/// What an item counts for in a queue of that size: being more than eight items ahead serves nobody, however small they
+/// are.
+[[nodiscard]] constexpr std::size_t queue_charge(std::size_t bytes, std::size_t limit) {
+  return bytes > limit / 8 ? bytes : limit / 8;
+}
+
+class Driver {
+public:
+  Driver(const Resolved& resolved, const Schedule& schedule, Budget& budget, Exchange<Bundle>& out,
+         std::function<bool()> stop);
+
+  /// The whole run, on the calling thread; closes the exchange at the end.
+  void drive();
+  [[nodiscard]] std::uint64_t particle_steps() const { return particle_steps_; }
+
+private:
+  void make_variants(Pool& pool);
+  void apply_commands(std::uint64_t frame);
+  void apply(const Command& command);
+  [[nodiscard]] Bundle look(Pool& pool, const Stop& at);
+
+  const Resolved& resolved_;
+  const FrameRequest request_;
+  const CommandLog commands_;
+  Schedule schedule_;
+  Budget& budget_;
+  Exchange<Bundle>& out_;
+  std::function<bool()> stop_;
+  std::unique_ptr<Stepper> variants_;
+  std::size_t next_command_ = 0;
+  std::atomic<std::uint64_t> particle_steps_{0};
+};
+
+} // namespace flipbook::app

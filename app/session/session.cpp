@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/session.h"
+
+#include "app/panel/panel.h"
+#include "app/session/driver.h"
+#include "app/session/failure.h"
+#include "app/session/progress.h"
+#include "app/session/sink_thread.h"
+#include "app/study/titles.h"
+#include "render/renderer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
+namespace flipbook::app {
+
+namespace {
+
+int thread_count(int asked) {
+  return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+/// What all pictures of the run say: the titles are those at the start.
+std::shared_ptr<const RunProvenance> describe_run(const Resolved& resolved, const std::string& study) {
+  std::vector<TitledPane> panes;
+  for (const ResolvedVariant& v : resolved.variants) {
+    Settings settings = v.scene.settings;
+    panes.push_back({v.label, settings.transfer.title(), parameters_of(settings)});
+  }
+  auto run = std::make_shared<RunProvenance>();
+  run->study = study;
+  for (const std::string& title : pane_titles(panes)) run->variants += (run->variants.empty() ? "" : "\n") + title;
+  run->seed = resolved.variants.front().scene.settings.seeding.seed;
+  return run;
+}
+
+class Session {
+public:
+  Session(const Resolved& resolved, const std::string& study, const Schedule& schedule, const SessionOptions& options)
+      : resolved_(resolved), provenance_(describe_run(resolved, study)), pictures_(schedule.pictures()),
+        options_(options), budget_(thread_count(options.threads)),
+        driver_(resolved, schedule, budget_, exchange_, [this] { return must_stop(); }) {
+    // llvmpipe would start threads of its own, outside the budget.
+    setenv("LP_NUM_THREADS", "0", 0);
+    catch_signals();
+  }
+
+  Summary run(std::vector<std::unique_ptr<Sink>> sinks) {
+    for (auto& sink : sinks) sinks_.push_back(std::make_unique<SinkThread>(std::move(sink), budget_, failure_));
+    draw_all();
+    for (auto& s : sinks_) s->drain();
+    summary_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    must_stop(); // a signal may have come during the last frames
+    failure_.rethrow();
+    for (auto& s : sinks_) s->sink().commit();
+    return summary_;
+  }
+
+private:
+  /// The drawing thread: owns the context from first to last.
+  void draw_all() {
+    std::thread simulating;
+    try {
+      const auto context = render::Context::create(options_.gl);
+      summary_.context = context->name();
+      render::Renderer renderer(*context, resolved_.output.size[0], resolved_.output.size[1], make_panel());
+      simulating = std::thread([this] { simulate(); });
+      Progress progress(pictures_, options_.quiet);
+      while (const auto bundle = exchange_.take()) {
+        if (must_stop()) break;
+        draw(*bundle, renderer);
+        progress.update(summary_.pictures, driver_.particle_steps());
+      }
+    } catch (...) {
+      failure_.report(std::current_exception());
+    }
+    exchange_.close();
+    if (simulating.joinable()) simulating.join();
+    summary_.particle_steps = driver_.particle_steps();
+  }
+
+  void simulate() {
+    try {
+      driver_.drive();
+    } catch (...) {
+      failure_.report(std::current_exception());
+    }
+    exchange_.close();
+  }
+
+  void draw(const Bundle& bundle, render::Renderer& renderer) {
+    const render::Frame frame = compose(bundle);
+    auto picture = std::make_shared<Picture>();
+    picture->provenance = {provenance_, bundle.stop.frame, bundle.stop.time};
+    {
+      const Budget::Permit permit(budget_, true);
+      picture->image = renderer.draw(frame, resolved_.view);
+    }
+    for (auto& s : sinks_) s->put(picture);
+    summarise(bundle, frame);
+  }
+
+  [[nodiscard]] render::Frame compose(const Bundle& bundle) const {
+    render::Frame frame;
+    frame.title = resolved_.title;
+    frame.time = bundle.stop.time;
+    frame.duration = resolved_.duration;
+    std::vector<TitledPane> panes;
+    for (std::size_t i = 0; i < bundle.snapshots.size(); ++i)
+      panes.push_back({resolved_.variants[i].label, bundle.snapshots[i]->title, bundle.snapshots[i]->parameters});
+    const std::vector<std::string> titles = pane_titles(panes);
+    for (std::size_t i = 0; i < titles.size(); ++i) frame.panes.push_back({titles[i], bundle.snapshots[i]});
+    frame.pointer = resolved_.timeline.pointer_targets(bundle.stop.time, resolved_.scale);
+    frame.warnings = identical_panes(bundle);
+    return frame;
+  }
+
+  /// Two panes whose particles agree to the last bit after some steps compare a scheme with itself.
+  static std::vector<std::string> identical_panes(const Bundle& bundle) {
+    std::vector<std::string> warnings;
+    const auto& s = bundle.snapshots;
+    for (std::size_t i = 0; i < s.size(); ++i)
+      for (std::size_t j = i + 1; j < s.size(); ++j)
+        if (s[i]->steps > 0 && s[j]->steps > 0 && s[i]->x == s[j]->x && s[i]->v == s[j]->v)
+          warnings.push_back("panes " + std::to_string(i + 1) + " and " + std::to_string(j + 1) +
+                             " show identical particles");
+    return warnings;
+  }
+
+  void summarise(const Bundle& bundle, const render::Frame& frame) {
+    ++summary_.pictures;
+    summary_.warnings = frame.warnings;
+    const auto [least, most] = std::minmax_element(bundle.snapshots.begin(), bundle.snapshots.end(),
+                                                   [](const auto& a, const auto& b) { return a->steps < b->steps; });
+    summary_.least_steps = (*least)->steps;
+    summary_.most_steps = (*most)->steps;
+    for (const auto& s : bundle.snapshots) {
+      if (s->steps == 0) continue;
+      summary_.least_dt = summary_.least_dt > 0 ? std::min(summary_.least_dt, s->dt) : s->dt;
+      summary_.most_dt = std::max(summary_.most_dt, s->dt);
+    }
+  }
+
+  bool must_stop() {
+    if (const int signal = signal_received()) failure_.report(std::make_exception_ptr(Interrupted(signal)));
+    return failure_.failed();
+  }
+
+  const Resolved& resolved_;
+  const std::shared_ptr<const RunProvenance> provenance_;
+  const std::uint64_t pictures_;
+  const SessionOptions options_;
+  Failure failure_;
+  Budget budget_;
+  Exchange<Bundle> exchange_{bundle_queue_bytes};
+  Driver driver_;
+  std::vector<std::unique_ptr<SinkThread>> sinks_;
+  Summary summary_;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+} // namespace
+
+Summary run_session(const Resolved& resolved, const std::string& study, const Schedule& schedule,
+                    std::vector<std::unique_ptr<Sink>> sinks, const SessionOptions& options) {
+  return Session(resolved, study, schedule, options).run(std::move(sinks));
+}
+
+} // namespace flipbook::app

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Runs variants side by side and makes their pictures.
+//   driver thread:  commands, steps, snapshots --Exchange--> this thread: GL, drawing --queues--> a thread for each
+//   sink
+// Every queue is bounded in bytes, so memory does not grow with the number of frames; whoever computes holds a permit
+// of the one Budget. The first failure, on whichever thread, stops all of them and is thrown here.
+#pragma once
+
+#include "app/encode/sink.h"
+#include "app/session/schedule.h"
+#include "app/study/resolve.h"
+#include "render/context/context.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace flipbook::app {
+
+struct SessionOptions {
+  int threads = 0; ///< 0: as many as the machine has
+  render::Backend gl = render::Backend::automatic;
+  bool quiet = false;
+};
+
+/// What a finished run reports.
+struct Summary {
+  std::uint64_t pictures = 0, particle_steps = 0;
+  double seconds = 0;                            ///< of the clock
+  std::uint64_t least_steps = 0, most_steps = 0; ///< over the variants
+  double least_dt = 0, most_dt = 0;              ///< of the last steps before frames
+  std::string context;                           ///< "osmesa" or "egl"
+  std::vector<std::string> warnings;             ///< of the last frame
+};
+
+/// Draws what the schedule asks for, hands it to the sinks and commits them. `study` goes into every picture.
+Summary run_session(const Resolved& resolved, const std::string& study, const Schedule& schedule,
+                    std::vector<std::unique_ptr<Sink>> sinks, const SessionOptions& options);
+
+} // namespace flipbook::app

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// A sink on a thread of its own, behind a queue that is bounded in bytes.
+#pragma once
+
+#include "app/encode/sink.h"
+#include "app/session/failure.h"
+#include "sim/core/parallel.h"
+#include "sim/frame/exchange.h"
+
+#include <memory>
+#include <thread>
+
+namespace flipbook::app {
+
+class SinkThread {
+public:
+  SinkThread(std::unique_ptr<Sink> sink, Budget& budget, Failure& failure);
+  ~SinkThread(); ///< drops what waits in the queue
+
+  /// Waits while the queue is full.
+  void put(std::shared_ptr<const Picture> picture);
+  /// Waits until everything in the queue is written; the files are whole afterwards, though not under their names.
+  void drain();
+  [[nodiscard]] Sink& sink() { return *sink_; }
+
+private:
+  void work();
+
+  std::unique_ptr<Sink> sink_;
+  Budget& budget_;
+  Failure& failure_;
+  Exchange<std::shared_ptr<const Picture>> queue_;
+  std::thread thread_; ///< last: it uses the rest
+};
+
+} // namespace flipbook::app

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "app/study/output_settings.h"
+
+namespace flipbook::app {
+
+void OutputSettings::describe(ParameterVisitor& v) {
+  v.group("output", [&] {
+    v.real({.name = "fps", .help = "Frames in one second of video", .unit = "1/s", .min = 1, .max = 240}, fps);
+    v.integers({.name = "size", .help = "Width and height of a picture in pixels", .min = 64, .max = 7680}, size);
+    v.real(
+        {.name = "duration", .help = "Simulated time; 0: what the scene suggests", .unit = "s", .min = 0, .max = 1e6},
+        duration);
+    v.integer({.name = "frames", .help = "Number of frames; 0: as many as the duration needs", .min = 0, .max = 1e6},
+              frames);
+    v.integer({.name = "crf", .help = "Quality of a video: 0 without loss, 18 good, 51 worst", .min = 0, .max = 51},
+              crf);
+  });
+}
+
+} // namespace flipbook::app

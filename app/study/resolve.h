@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// A study with every name looked up, every value checked and every default filled in.
+#pragma once
+
+#include "app/study/output_settings.h"
+#include "app/study/study.h"
+#include "app/study/timeline.h"
+#include "render/view_settings.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace flipbook::app {
+
+struct ResolvedVariant {
+  std::string label; ///< empty: the title comes from the solver
+  Scene scene;
+};
+
+struct Resolved {
+  std::string name, title;
+  std::vector<ResolvedVariant> variants;
+  render::ViewSettings view;
+  OutputSettings output;
+  double scale = 1;         ///< simulated seconds per second of video; frame k is at k scale / fps
+  std::uint64_t frames = 1; ///< of a video
+  double duration = 0;      ///< seconds simulated in them
+  Timeline timeline;
+
+  [[nodiscard]] double time_of(std::uint64_t frame) const { return static_cast<double>(frame) * scale / output.fps; }
+  [[nodiscard]] CommandLog commands() const { return timeline.commands(output.fps, scale, frames); }
+};
+
+/// Throws one UserError of all mistakes.
+[[nodiscard]] Resolved resolve(const Study& study);
+
+} // namespace flipbook::app

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// A study: a scene, the variants to compare, a timeline, and how it is shown. One TOML file;
+// assets/studies/annotated.toml documents every key.
+#pragma once
+
+#include "sim/scene/read_scene.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace flipbook::app {
+
+using flipbook::to_toml; // joined by the one for studies below
+
+struct Variant {
+  std::string label; ///< empty: the title comes from the solver
+  std::vector<Assignment> parameters;
+  Location where;
+};
+
+enum class Ease { smooth, linear, step };
+
+/// From time t on (seconds simulated) a parameter moves to a value, within `over` seconds.
+struct Key {
+  double t = 0, over = 0;
+  Ease ease = Ease::smooth;
+  std::string variant; ///< a label, title or scheme name; empty: every variant that has the parameter
+  std::string path;
+  Value value;
+  Location where;
+};
+
+struct Study {
+  std::string name; ///< for the names of outputs
+  std::string title;
+  SceneText scene;
+  std::vector<Assignment> parameters; ///< for all variants
+  std::vector<Assignment> view, output;
+  std::vector<Variant> variants;
+  std::vector<Key> keys; ///< in time order
+};
+
+/// A study by name or path; a scene by name or path becomes a study of one variant. Throws UserError.
+[[nodiscard]] Study read_study(const std::string& name_or_path);
+[[nodiscard]] Study study_of_scene(const std::string& name_or_path);
+/// From a text; `file` is named in messages, its stem is the study's name, and a scene's path is relative to it.
+[[nodiscard]] Study parse_study(std::string_view text, const std::string& file);
+
+/// A change from the command line: it overrides what the study says for all and for single variants.
+void assign(Study& study, Assignment change);
+
+/// The study as one text that needs no other file, with what is explicit in a fixed order. Reads back to the same
+/// study.
+[[nodiscard]] std::string to_toml(const Study& study);
+
+/// The names of all studies.
+[[nodiscard]] std::vector<std::string> list_studies();
+
+inline constexpr std::size_t most_variants = 12;
+
+} // namespace flipbook::app

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "app/study/timeline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flipbook::app {
+namespace {
+
+constexpr double travel = 0.6; // seconds of video that the pointer takes to a widget
+constexpr double press = 0.1;  // it holds the widget a little longer than the widget moves
+
+double smooth(double s) {
+  return s * s * (3 - 2 * s);
+}
+
+double progress(Ease ease, double t, double over, double time) {
+  if (time < t) return 0;
+  if (over <= 0 || ease == Ease::step || time >= t + over) return 1;
+  const double s = (time - t) / over;
+  return ease == Ease::linear ? s : smooth(s);
+}
+
+bool same_word(const std::string& a, const std::string& b) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
+}
+
+Value rounded(Value value, Kind kind) {
+  if (kind == Kind::integer) value = std::round(std::get<double>(value));
+  if (kind == Kind::integers)
+    for (double& x : std::get<std::vector<double>>(value)) x = std::round(x);
+  return value;
+}
+
+} // namespace
+
+struct Timeline::Run {
+  std::span<const KeyTarget> variants;
+  std::vector<Settings> state;
+
+  /// The variants that a key names, or all of them.
+  [[nodiscard]] std::vector<std::size_t> named(const Key& key, Mistakes& mistakes) const {
+    std::vector<std::size_t> chosen;
+    std::vector<std::string> known;
+    for (std::size_t i = 0; i < variants.size(); ++i) {
+      const auto& names = variants[i].names;
+      known.insert(known.end(), names.begin(), names.end());
+      if (key.variant.empty() ||
+          std::any_of(names.begin(), names.end(), [&](auto& n) { return same_word(n, key.variant); }))
+        chosen.push_back(i);
+    }
+    if (chosen.empty())
+      mistakes.add("no variant is called \"" + key.variant + "\"", key.where, nearest_name(key.variant, known));
+    return chosen;
+  }
+};
+
+Timeline::Timeline(std::span<const Key> keys, std::span<const KeyTarget> variants, Mistakes& mistakes) {
+  Run run{variants, {}};
+  for (const KeyTarget& v : variants) run.state.push_back(v.settings);
+  for (const Key& key : keys) add(key, run, mistakes);
+}
+
+void Timeline::add(const Key& key, Run& run, Mistakes& mistakes) {
+  const std::vector<std::size_t> chosen = run.named(key, mistakes);
+  std::vector<std::size_t> moved;
+  for (const std::size_t i : chosen) {
+    const std::vector<Parameter> all = parameters_of(run.state[i]);
+    const auto p = std::find_if(all.begin(), all.end(), [&](const Parameter& q) { return q.path == key.path; });
+    if (p != all.end() && p->effect == Effect::restart)
+      return mistakes.add(key.path + " cannot change during a run", key.where);
+    if (p != all.end() && !p->applies) continue;
+    if (const Refusal r = set_parameter(run.state[i], key.path, key.value); !r.message.empty())
+      return mistakes.add(r.message, key.where, r.nearest);
+    Track& t = track(static_cast<int>(i), *p);
+    const bool moving = !t.segments.empty() && key.t < t.segments.back().t + t.segments.back().over;
+    // The value as it is stored: a list of two becomes a list of three, a name gets its own case.
+    const std::vector<Parameter> now = parameters_of(run.state[i]);
+    const auto stored = std::find_if(now.begin(), now.end(), [&](const Parameter& q) { return q.path == key.path; });
+    t.segments.push_back({key.t, key.over, key.ease, moving ? at(t, key.t) : p->value, stored->value});
+    moved.push_back(i);
+  }
+  if (moved.empty() && !chosen.empty())
+    mistakes.add("no variant uses " + key.path + " at t = " + to_toml(Value(key.t)), key.where);
+  const bool shared = moved.size() == run.state.size();
+  if (shared)
+    grips_.push_back({key.t, key.over, key.path, -1});
+  else
+    for (const std::size_t i : moved) grips_.push_back({key.t, key.over, key.path, static_cast<int>(i)});
+}
+
+Timeline::Track& Timeline::track(int variant, const Parameter& parameter) {
+  for (Track& t : tracks_)
+    if (t.variant == variant && t.path == parameter.path) return t;
+  return tracks_.emplace_back(Track{variant, parameter.path, parameter.kind, parameter.value, {}});
+}
+
+Value Timeline::at(const Track& track, double time) {
+  const Segment* now = nullptr;
+  for (const Segment& s : track.segments)
+    if (s.t <= time) now = &s;
+  if (!now) return track.initial;
+  return rounded(blend(now->from, now->to, progress(now->ease, now->t, now->over, time)), track.kind);
+}
+
+Value Timeline::value(int variant, const std::string& path, double time, const Value& initial) const {
+  for (const Track& t : tracks_)
+    if (t.variant == variant && t.path == path) return at(t, time);
+  return initial;
+}
+
+CommandLog Timeline::commands(double fps, double scale, std::uint64_t frames) const {
+  CommandLog log;
+  std::vector<Value> last;
+  for (const Track& t : tracks_) last.push_back(t.initial);
+  for (std::uint64_t k = 0; k < frames && !tracks_.empty(); ++k) {
+    const double time = static_cast<double>(k) * scale / fps;
+    for (std::size_t i = 0; i < tracks_.size(); ++i) {
+      Value now = at(tracks_[i], time);
+      if (now == last[i]) continue;
+      last[i] = now;
+      log.push_back({k, tracks_[i].variant, SetParameter{tracks_[i].path, std::move(now)}});
+    }
+  }
+  return log;
+}
+
+std::vector<render::PointerTarget> Timeline::pointer_targets(double time, double scale) const {
+  std::vector<render::PointerTarget> targets;
+  for (const Grip& g : grips_) {
+    // Seconds of video since the grip began and until it ends; both positive while it lasts.
+    const double before = (time - g.t) / scale + press, after = (g.t + g.over - time) / scale + press;
+    const double away = std::max({-before, -after, 0.0});
+    if (away >= travel) continue;
+    const double grip = smooth(1 - away / travel);
+    const auto same = std::find_if(targets.begin(), targets.end(),
+                                   [&](auto& t) { return t.path == g.path && t.variant == g.variant; });
+    if (same == targets.end())
+      targets.push_back({g.path, g.variant, grip, away == 0});
+    else
+      same->grip = std::max(same->grip, grip), same->pressed = same->pressed || away == 0;
+  }
+  std::stable_sort(targets.begin(), targets.end(), [](auto& a, auto& b) { return a.grip > b.grip; });
+  return targets;
+}
+
+} // namespace flipbook::app

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// What the keys of a study do to each variant: a pure function of time. The log of commands that the run follows, and
+// the pointer that is drawn moving the sliders, are two views of it.
+//
+// A key moves a parameter from the value it has at t to its own value: value(s) = a + (b - a) ease(s), s = (time - t) /
+// over, with ease(s) = s^2 (3 - 2 s) unless it is linear or a step.
+#pragma once
+
+#include "app/study/study.h"
+#include "render/frame.h"
+#include "sim/frame/commands.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace flipbook::app {
+
+/// A variant as keys name it.
+struct KeyTarget {
+  Settings settings;              ///< at the start
+  std::vector<std::string> names; ///< label, title, scheme
+};
+
+class Timeline {
+public:
+  Timeline() = default;
+  /// Checks the keys against the variants and what earlier keys made of them.
+  Timeline(std::span<const Key> keys, std::span<const KeyTarget> variants, Mistakes& mistakes);
+
+  /// A command at each frame where a value differs from the frame before. Frame k is at k scale / fps.
+  [[nodiscard]] CommandLog commands(double fps, double scale, std::uint64_t frames) const;
+
+  /// Where the pointer is at a time (simulated seconds): at every widget that it is at or on the way to or from, the
+  /// firmest grip first. It takes 0.6 s of video to get there and back.
+  [[nodiscard]] std::vector<render::PointerTarget> pointer_targets(double time, double scale) const;
+
+  /// The value of a parameter at a time; `initial` where no key has moved it yet.
+  [[nodiscard]] Value value(int variant, const std::string& path, double time, const Value& initial) const;
+
+private:
+  struct Segment {
+    double t, over;
+    Ease ease;
+    Value from, to;
+  };
+  /// One parameter of one variant over time.
+  struct Track {
+    int variant;
+    std::string path;
+    Kind kind;
+    Value initial;
+    std::vector<Segment> segments; ///< in time order
+  };
+  /// One key and the widgets that it moves.
+  struct Grip {
+    double t, over;
+    std::string path;
+    int variant;
+  };
+
+  struct Run; ///< the variants as the keys before the present one left them
+  void add(const Key& key, Run& run, Mistakes& mistakes);
+  Track& track(int variant, const Parameter& parameter);
+  [[nodiscard]] static Value at(const Track& track, double time);
+
+  std::vector<Track> tracks_;
+  std::vector<Grip> grips_;
+};
+
+} // namespace flipbook::app
