@@ -18,7 +18,7 @@ struct ViewSettings {
   int colour = 0;                    ///< index into the list of colour quantities (render/views/colour_by.h)
   int map = 0;                       ///< index into the list of colour maps; the first, "auto", suits the quantity
   std::array<double, 2> range{0, 0}; ///< of the shared colour scale; equal ends: found from the data
-  double particle_size = 1.35;       ///< diameter of a disc in particle spacings; above 1 closes the gaps
+  double particle_size = 1.5;        ///< diameter of a disc in particle spacings; above 1 closes the gaps
   bool walls = true, grid = false, arrows = false;
   bool captions = true; ///< dt and steps below each pane
   bool show_panel = true;

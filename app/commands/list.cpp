@@ -36,6 +36,13 @@ void print(const Rows& rows) {
   }
 }
 
+/// Cut at an entry so that one parameter does not spread the table; `list views` has the whole lists.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t longest = 36;
+  if (text.size() <= longest) return text;
+  return text.substr(0, text.find_last_of("|,", longest - 4) + 1) + " ...";
+}
+
 /// "0 to 1 m", "quadratic | cubic", ...
 std::string values(const Parameter& p) {
   std::string text;
@@ -49,9 +56,10 @@ std::string values(const Parameter& p) {
   return p.unit.empty() ? text : text + (text.empty() ? "" : " ") + p.unit;
 }
 
-void add_parameters(Rows& rows, const std::vector<Parameter>& all, const std::string& prefix) {
+void add_parameters(Rows& rows, const std::vector<Parameter>& all) {
   for (const Parameter& p : all)
-    rows.push_back({prefix + p.path, to_toml(p.value), values(p), p.effect == Effect::live ? "live" : "start", p.help});
+    rows.push_back({p.path, shortened(to_toml(p.value)), shortened(values(p)),
+                    p.effect == Effect::live ? "live" : "start", p.help});
 }
 
 void list_parameters() {
@@ -59,9 +67,9 @@ void list_parameters() {
   render::ViewSettings view;
   OutputSettings output;
   Rows rows{{"PATH", "DEFAULT", "VALUES", "WHEN", "MEANING"}};
-  add_parameters(rows, parameters_of(settings), "");
-  add_parameters(rows, parameters_of(view), "view.");
-  add_parameters(rows, parameters_of(output), "output.");
+  add_parameters(rows, parameters_of(settings));
+  add_parameters(rows, parameters_of(view));
+  add_parameters(rows, parameters_of(output));
   print(rows);
 }
 
@@ -98,7 +106,7 @@ void list_views() {
   Rows rows;
   for (const Parameter& p : parameters_of(view))
     for (std::size_t i = 0; i < p.options.size(); ++i)
-      rows.push_back({"view." + p.path, p.options[i], i < p.option_help.size() ? p.option_help[i] : ""});
+      rows.push_back({p.path, p.options[i], i < p.option_help.size() ? p.option_help[i] : ""});
   print(rows);
 }
 

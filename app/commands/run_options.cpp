@@ -57,7 +57,8 @@ void RunOptions::describe(OptionVisitor& v) {
   v.text("--precision", precision_, "single|double", "Numbers that the solvers compute with");
   v.text("--threads", threads_, "N", "How many threads compute; the pictures do not depend on it");
   v.text("--gl", gl_, "auto|osmesa|egl", "What draws");
-  v.texts("-o,--output", outputs_, "X.mp4|FOLDER/", "A video, or a folder for PNG pictures; may be repeated (out/ if not given)");
+  v.texts("-o,--output", outputs_, "X.mp4|FOLDER/",
+          "A video, or a folder for PNG pictures; may be repeated (out/ if not given)");
   v.text("--save-study", save_study_, "FILE", "Write what was run as a study");
   v.flag("-q,--quiet", quiet_, "Print nothing but the paths of the results");
 }

@@ -88,6 +88,14 @@ void complete_cells(Assignment& change, const Study& study) {
   const double* along_x = std::get_if<double>(&change.value);
   if (change.path != "grid.cells" || !along_x) return;
   const std::array<double, 3> size = resolve(study).variants.front().scene.settings.grid.size;
+  const auto whole = [&](double n) {
+    return std::abs(n * size[1] / size[0] - std::round(n * size[1] / size[0])) < 1e-6;
+  };
+  for (int k = 2; k <= 64 && !whole(*along_x); ++k)
+    if (whole(k))
+      throw UserError(to_toml(*along_x) + " cells along x would not be cubic in this domain: choose a multiple of " +
+                          std::to_string(k),
+                      change.where);
   change.value = std::vector<double>{*along_x, std::round(*along_x * size[1] / size[0])};
 }
 

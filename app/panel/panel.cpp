@@ -32,18 +32,23 @@ std::string label_of(std::string_view path) {
   return label;
 }
 
+/// Three digits keep a moving value from growing and shrinking; large numbers are not cut.
+std::string value_of(double x) {
+  return render::number(x, std::abs(x) < 100 ? 3 : 6);
+}
+
 /// Numbers of a list; the third axis of a 2D run says nothing.
 std::string joined(const std::vector<double>& x, int dim) {
   const std::size_t n = x.size() == 3 ? static_cast<std::size_t>(dim) : x.size();
   std::string out;
-  for (std::size_t i = 0; i < n; ++i) out += (i == 0 ? "" : ", ") + render::number(x[i], 4);
+  for (std::size_t i = 0; i < n; ++i) out += (i == 0 ? "" : ", ") + value_of(x[i]);
   return out;
 }
 
 std::string value_text(const Parameter& p, int dim) {
   std::string text;
   if (const auto* flag = std::get_if<bool>(&p.value)) text = *flag ? "on" : "off";
-  if (const auto* x = std::get_if<double>(&p.value)) text = render::number(*x, 4);
+  if (const auto* x = std::get_if<double>(&p.value)) text = value_of(*x);
   if (const auto* s = std::get_if<std::string>(&p.value)) text = *s;
   if (const auto* list = std::get_if<std::vector<double>>(&p.value)) text = joined(*list, dim);
   if (const auto* list = std::get_if<std::vector<std::string>>(&p.value))

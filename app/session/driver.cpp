@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/driver.h"
 
+#include "app/session/queue.h"
 #include "sim/frame/errors.h"
 
 #include <optional>

@@ -25,12 +25,6 @@ struct Bundle {
 
 inline constexpr std::size_t bundle_queue_bytes = 64U << 20U;
 
-/// What an item counts for in a queue of that size: being more than eight items ahead serves nobody, however small they
-/// are.
-[[nodiscard]] constexpr std::size_t queue_charge(std::size_t bytes, std::size_t limit) {
-  return bytes > limit / 8 ? bytes : limit / 8;
-}
-
 class Driver {
 public:
   Driver(const Resolved& resolved, const Schedule& schedule, Budget& budget, Exchange<Bundle>& out,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/sink_thread.h"
 
-#include "app/session/driver.h"
+#include "app/session/queue.h"
 
 #include <optional>
 

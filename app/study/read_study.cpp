@@ -85,7 +85,13 @@ void read_variants(const Node& root, Study& study, Mistakes& mistakes) {
 void read_scene_of(const Node& root, Study& study, const std::string& file, Mistakes& mistakes) {
   const Node* scene = root.find("scene");
   if (!scene) {
-    mistakes.add("a study needs a scene, for example scene = \"dam_break\"", root.where);
+    const std::vector<std::string> meant{"scene"};
+    const auto slip = std::find_if(root.items.begin(), root.items.end(),
+                                   [&](const Node& entry) { return !nearest_name(entry.key, meant).empty(); });
+    if (slip != root.items.end())
+      mistakes.add("unknown key \"" + slip->key + "\"", slip->where, "scene");
+    else
+      mistakes.add("a study needs a scene, for example scene = \"dam_break\"", root.where);
   } else if (scene->type == Node::Type::table) {
     const Node* name = scene->find("name");
     study.scene = {name && name->type == Node::Type::text ? name->text : study.name, *scene};

@@ -73,6 +73,7 @@ void Timeline::add(const Key& key, Run& run, Mistakes& mistakes) {
     if (p != all.end() && !p->applies) continue;
     if (const Refusal r = set_parameter(run.state[i], key.path, key.value); !r.message.empty())
       return mistakes.add(r.message, key.where, r.nearest);
+    if (const auto c = run.state[i].conflict(); !c.message.empty()) return mistakes.add(c.message, key.where);
     Track& t = track(static_cast<int>(i), *p);
     const bool moving = !t.segments.empty() && key.t < t.segments.back().t + t.segments.back().over;
     // The value as it is stored: a list of two becomes a list of three, a name gets its own case.

@@ -23,18 +23,18 @@ public:
     Rect body = header_and_borders();
     const bool plots = r_.plots > 0 && r_.plot_height > 0;
     if (!plots) {
-      place_panes(body, best_grid(body), widest_gap, 0.5F, 0.5F);
+      place_panes(body, best_grid(body), widest_gap, widest_gap, 0.5F, 0.5F);
       return std::move(out_);
     }
     const Rect above = upper(body), beside = left(body);
     const Grid below_grid = best_grid(above), side_grid = best_grid(beside);
     // Reading order is clearer with the plots below: beside has to gain something.
     if (side_grid.magnification > 1.1F * below_grid.magnification) {
-      const Rect used = place_panes(beside, side_grid, gap, 0, 0);
+      const Rect used = place_panes(beside, side_grid, gap, widest_gap, 0, 0);
       const float x = used.right() + pt(gap + 10);
       place_plots({x, body.y, body.right() - x, body.h});
     } else {
-      const Rect used = place_panes(above, below_grid, widest_gap, 0.5F, 0);
+      const Rect used = place_panes(above, below_grid, widest_gap, gap, 0.5F, 0);
       // What the panes cannot use makes the plots taller, up to a point.
       const float y = std::max(used.bottom() + pt(gap), body.bottom() - 0.52F * body.h);
       place_plots({body.x, y, body.w, body.bottom() - y});
@@ -100,15 +100,21 @@ private:
     return best;
   }
 
+  [[nodiscard]] float vertical_gap(float spare, float rows, float most) const {
+    return rows > 1 ? std::floor(std::clamp(spare / (rows - 1), pt(gap), pt(most))) : 0;
+  }
+
   /// Places the panes, with this share of the free width on their left and of the free height above them, and returns
   /// the rectangle they use.
-  Rect place_panes(const Rect& area, const Grid& grid, float most_gap, float horizontal, float vertical) {
+  Rect place_panes(const Rect& area, const Grid& grid, float most_gap_x, float most_gap_y, float horizontal,
+                   float vertical) {
     const float frame_w = std::floor(grid.magnification * static_cast<float>(r_.domain_width)) + 2 * pt(pane_padding);
     const float frame_h = std::floor(grid.magnification * static_cast<float>(r_.domain_height)) + 2 * pt(pane_padding);
     const float cell_h = above_frame() + frame_h + below_frame();
     const auto c = static_cast<float>(grid.columns), n = static_cast<float>(grid.rows);
     const float spare = c > 1 ? (area.w - c * frame_w) / (c - 1) : 0;
-    const float gap_x = std::floor(std::clamp(spare, pt(gap), pt(most_gap))), gap_y = pt(gap);
+    const float gap_x = std::floor(std::clamp(spare, pt(gap), pt(most_gap_x))),
+                gap_y = vertical_gap(area.h - n * cell_h, n, most_gap_y);
     const float used_w = c * frame_w + (c - 1) * gap_x, used_h = n * cell_h + (n - 1) * gap_y;
     const float y0 = std::round(area.y + std::max(0.F, area.h - used_h) * vertical);
     const float x0 = std::round(area.x + std::max(0.F, area.w - used_w) * horizontal);

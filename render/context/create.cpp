@@ -6,6 +6,21 @@
 #include <array>
 #include <cstdlib>
 
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define FLIPBOOK_LEAK_CHECK
+#endif
+#elif defined(__SANITIZE_ADDRESS__)
+#define FLIPBOOK_LEAK_CHECK
+#endif
+#ifdef FLIPBOOK_LEAK_CHECK
+/// Mesa keeps a few tables until the process ends; a leak of our own has no Mesa frame in its stack.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() {
+  return "leak:libOSMesa\nleak:libEGL\nleak:libgallium\nleak:_dri.so\n";
+}
+#endif
+
 namespace flipbook::render {
 
 #ifndef FLIPBOOK_OSMESA

@@ -7,9 +7,11 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
-#include <cstring>
+#include <iterator>
+#include <sstream>
 #include <vector>
 
 namespace flipbook::render {
@@ -23,7 +25,8 @@ std::string error_text() {
 
 bool has_extension(EGLDisplay display, const char* name) {
   const char* all = eglQueryString(display, EGL_EXTENSIONS);
-  return all != nullptr && (" " + std::string(all) + " ").find(" " + std::string(name) + " ") != std::string::npos;
+  std::istringstream words(all == nullptr ? "" : all);
+  return std::find(std::istream_iterator<std::string>(words), {}, name) != std::istream_iterator<std::string>();
 }
 
 template <class Function> Function function(const char* name) {

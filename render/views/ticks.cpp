@@ -16,7 +16,10 @@ std::string typeset(std::string_view text) {
   bool padding = false; // inside the exponent, before its first digit that counts
   for (const char c : text) {
     if (padding && (c == '0' || c == '+')) continue;
-    out += c == '-' ? std::string("−") : std::string(1, c);
+    if (c == '-')
+      out += "−";
+    else
+      out += c;
     padding = c == 'e' || (padding && c == '-');
   }
   return out;
@@ -99,7 +102,7 @@ std::string unit_text(std::string_view unit) {
 std::string grouped(unsigned long long n) {
   std::string s = std::to_string(n);
   if (s.size() < 5) return s;
-  for (std::size_t i = s.size(); i > 3;) s.insert(i -= 3, " ");
+  for (std::size_t i = s.size(); i > 3;) s.insert(i -= 3, 1, ' ');
   return s;
 }
 

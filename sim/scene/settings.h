@@ -12,8 +12,12 @@ namespace flipbook {
 
 enum class Precision { single, double_ };
 enum class Wall { free_slip, no_slip, periodic };
-enum class Surface { ghost, voxel, full };         ///< second order in the level set; air begins at a cell centre; no air at all
-enum class PressureSolver { cg, mic };             ///< conjugate gradients: plain (Jacobi), or with modified incomplete Cholesky
+enum class Surface {
+  ghost,
+  voxel,
+  full
+};                                     ///< second order in the level set; air begins at a cell centre; no air at all
+enum class PressureSolver { cg, mic }; ///< conjugate gradients: plain (Jacobi), or with modified incomplete Cholesky
 enum class Lockstep { shared, own };
 enum class Splitting { lie, midpoint };
 enum class Advection { rk1, rk2, rk3 };
@@ -48,10 +52,10 @@ struct WallSettings {
 };
 
 struct FluidSettings {
-  double density = 1000;                          ///< kg/m^3 (kg/m^2 in 2D)
-  std::array<double, 3> gravity{0, -9.81, 0};     ///< m/s^2
+  double density = 1000;                      ///< kg/m^3 (kg/m^2 in 2D)
+  std::array<double, 3> gravity{0, -9.81, 0}; ///< m/s^2
   Surface surface = Surface::ghost;
-  double spacing = 0;                             ///< strength of the particle-spacing correction in [0, 1]; 0: off
+  double spacing = 0; ///< strength of the particle-spacing correction in [0, 1]; 0: off
   void describe(ParameterVisitor& v);
 };
 

@@ -89,9 +89,10 @@ TEST(Architecture, TheFramePartIsStandardCppOnly) {
   const std::regex own(R"re(^\s*#include "sim/frame/)re");
   for (const Source& s : sources({"sim/frame"}))
     for (std::size_t i = 0; i < s.lines.size(); ++i)
-      if (std::regex_search(s.lines[i], any))
+      if (std::regex_search(s.lines[i], any)) {
         EXPECT_TRUE(std::regex_search(s.lines[i], system_header) || std::regex_search(s.lines[i], own))
             << s.path << ":" << i + 1 << ": " << s.lines[i];
+      }
 }
 
 TEST(Architecture, FilesAreShortAndLicensed) {

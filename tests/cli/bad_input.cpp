@@ -76,6 +76,7 @@ const Case command_lines[] = {
     {"infinity", with({"render", "dam_break", "--set", "fluid.density=inf"}, tiny), {"fluid.density", "inf"}},
     {"unit", with({"render", "dam_break", "--set", "time.dt=5ms"}, tiny), {"time.dt", "number"}},
     {"out_of_range", with({"render", "dam_break", "--set", "time.cfl=-1"}, tiny), {"time.cfl", "0.01", "-1"}},
+    {"cells_not_cubic", {"render", "elliptical_drop", "--cells", "32"}, {"--cells", "multiple of 3"}},
     {"fps", with({"render", "dam_break", "--fps", "0"}, tiny), {"--fps"}},
     {"frames", with({"render", "dam_break"}, {"--frames", "-3"}), {"--frames"}},
     {"dim", with({"render", "dam_break", "--dim", "4"}, tiny), {"--dim", "4"}},

@@ -48,7 +48,9 @@ protected:
       const render::Renderer renderer(*context, 64, 64, {});
     });
   }
-  std::string folder_ = testing::TempDir() + "flipbook_shaders";
+  // Each test its own: ctest runs them side by side.
+  std::string folder_ =
+      testing::TempDir() + "flipbook_shaders_" + testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
 TEST_F(ShaderFolder, ReplacesBuiltInShaders) {

@@ -117,7 +117,7 @@ TEST(Flip, SurfaceParticlesKeepTheirVelocityWhereNothingAccelerates) {
   double worst = 0;
   for (std::size_t p = 0; p < seeded.size(); ++p)
     worst = std::max(worst, (flow.particles().velocity(p) - seeded.velocity(flow.particles().id[p])).norm());
-  EXPECT_LT(worst, 0.1 / 32); // a tenth of the difference between two cells
+  EXPECT_LT(worst, 1e-9);
 }
 
 /// Transfers keep momentum exactly; the projection of an evenly filled box does so up to how even it is.
