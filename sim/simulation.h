@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A running simulation, whatever its method, dimension and precision. A few virtual calls per step; nothing of the solver
-// shows through.
+// A running simulation, whatever its method, dimension and precision. A few virtual calls per step; nothing of the
+// solver shows through.
 #pragma once
 
 #include "sim/core/parallel.h"

@@ -162,6 +162,8 @@ std::vector<std::string> list_studies() {
 }
 
 void assign(Study& study, Assignment change) {
+  // A range belongs to the quantity that it was written for.
+  if (change.path == "view.colour") std::erase_if(study.view, [](auto& a) { return a.path == "view.range"; });
   const bool view = change.path.starts_with("view."), output = change.path.starts_with("output.");
   for (Variant& v : study.variants) std::erase_if(v.parameters, [&](auto& a) { return a.path == change.path; });
   (view ? study.view : output ? study.output : study.parameters).push_back(std::move(change));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace flipbook::app {
 namespace {
@@ -57,7 +58,12 @@ Resolved resolve(const Study& study) {
   const Scene& scene = resolved.variants.front().scene;
   resolved.title = study.title.empty() ? scene.summary : study.title;
   apply_to(resolved.view, scene.view, mistakes);
+  const int colour_of_scene = resolved.view.colour;
+  const auto range_of_scene = std::exchange(resolved.view.range, {0, 0});
   apply_to(resolved.view, study.view, mistakes);
+  // The scene's range belongs to the quantity that the scene shows.
+  const bool ranged = std::any_of(study.view.begin(), study.view.end(), [](auto& a) { return a.path == "view.range"; });
+  if (!ranged && resolved.view.colour == colour_of_scene) resolved.view.range = range_of_scene;
   apply_to(resolved.output, study.output, mistakes);
   mistakes.raise();
 

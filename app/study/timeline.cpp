@@ -133,8 +133,7 @@ std::vector<render::PointerTarget> Timeline::pointer_targets(double time, double
     // Seconds of video since the grip began and until it ends; both positive while it lasts.
     const double before = (time - g.t) / scale + press, after = (g.t + g.over - time) / scale + press;
     const double away = std::max({-before, -after, 0.0});
-    if (away >= travel) continue;
-    const double grip = smooth(1 - away / travel);
+    const double grip = smooth(std::max(0.0, 1 - away / travel));
     const auto same = std::find_if(targets.begin(), targets.end(),
                                    [&](auto& t) { return t.path == g.path && t.variant == g.variant; });
     if (same == targets.end())

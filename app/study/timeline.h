@@ -32,8 +32,8 @@ public:
   /// A command at each frame where a value differs from the frame before. Frame k is at k scale / fps.
   [[nodiscard]] CommandLog commands(double fps, double scale, std::uint64_t frames) const;
 
-  /// Where the pointer is at a time (simulated seconds): at every widget that it is at or on the way to or from, the
-  /// firmest grip first. It takes 0.6 s of video to get there and back.
+  /// Where the pointer is at a time (simulated seconds): every widget that it will ever visit, so that the panel keeps
+  /// its rows, the firmest grip first. It takes 0.6 s of video to get there and back.
   [[nodiscard]] std::vector<render::PointerTarget> pointer_targets(double time, double scale) const;
 
   /// The value of a parameter at a time; `initial` where no key has moved it yet.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where the samples of the grid lie. One index space with two pad cells on every side serves cells, nodes and the faces of
-// each axis: sample i of a lattice lies at dx (i - pad + origin), where origin is 0 or 1/2 per axis. MAC faces and MPM nodes
-// differ in their origins only, so a transfer cannot tell which it is on.
+// Where the samples of the grid lie. One index space with two pad cells on every side serves cells, nodes and the faces
+// of each axis: sample i of a lattice lies at dx (i - pad + origin), where origin is 0 or 1/2 per axis. MAC faces and
+// MPM nodes differ in their origins only, so a transfer cannot tell which it is on.
 //
 //   cells       origin (1/2, 1/2, 1/2)
 //   nodes       origin (0, 0, 0)

@@ -22,7 +22,8 @@ template <int Dim, class Real> struct Particles {
   std::vector<Real> m;                     ///< mass (kg; kg/m in 2D)
   std::vector<std::uint32_t> id;           ///< seeding order; never reused
   AffineMode mode = AffineMode::none;
-  std::vector<std::vector<Real>> A; ///< affine_size(mode) columns (1/s): rigid: omega; full: C row by row, C(a,b) = dv_a/dx_b
+  std::vector<std::vector<Real>>
+      A; ///< affine_size(mode) columns (1/s): rigid: omega; full: C row by row, C(a,b) = dv_a/dx_b
 
   [[nodiscard]] std::size_t size() const { return id.size(); }
 

@@ -62,6 +62,15 @@ std::vector<History::Column> row_of(const FluidState<Dim, Real>& state, double t
   return std::move(row.columns);
 }
 
+/// Least and most of the values without the outermost at either end, one in two hundred.
+std::pair<double, double> bulk(std::vector<float> values) {
+  const auto outside = static_cast<std::ptrdiff_t>(values.size() / 200);
+  const auto low = values.begin() + outside, high = values.end() - 1 - outside;
+  std::nth_element(values.begin(), low, values.end());
+  std::nth_element(low, high, values.end());
+  return {static_cast<double>(*low), static_cast<double>(*high)};
+}
+
 /// Drops every second row but the last, so that the curve keeps its whole length.
 void thin_out(History& h) {
   const auto thin = [](std::vector<float>& y) {
@@ -90,10 +99,10 @@ Channel Recorder<Dim, Real>::channel(const FluidState<Dim, Real>& state, const s
     if (source.name != name) continue;
     Channel c{name, std::string(source.unit), 0, 0, source.diverging, source.values(state, initial_, pool)};
     if (!c.values.empty()) {
-      const auto [least, most] = std::minmax_element(c.values.begin(), c.values.end());
-      auto& [lo, hi] = extremes_.try_emplace(name, *least, *most).first->second;
-      lo = std::min(lo, static_cast<double>(*least));
-      hi = std::max(hi, static_cast<double>(*most));
+      const auto [least, most] = bulk(c.values);
+      auto& [lo, hi] = extremes_.try_emplace(name, least, most).first->second;
+      lo = std::min(lo, least);
+      hi = std::max(hi, most);
       if (c.diverging) hi = std::max(hi, -lo), lo = -hi;
       c.lo = lo;
       c.hi = hi;

@@ -37,7 +37,8 @@ struct Spec {
   bool applies = true; ///< false: known, but without effect in the present settings (another scheme's parameter)
 };
 
-/// A value as files, the command line, the timeline and the panel exchange it. Numbers are double, a choice is its name.
+/// A value as files, the command line, the timeline and the panel exchange it. Numbers are double, a choice is its
+/// name.
 using Value = std::variant<bool, double, std::string, std::vector<double>, std::vector<std::string>>;
 
 enum class Kind { flag, real, integer, choice, text, reals, integers, names };
@@ -65,8 +66,7 @@ struct NamesRef {
   std::vector<std::string>& names;
   std::span<const Option> options; ///< empty: any name
 };
-using Ref =
-    std::variant<bool*, double*, int*, ChoiceRef, std::string*, std::span<double>, std::span<int>, NamesRef>;
+using Ref = std::variant<bool*, double*, int*, ChoiceRef, std::string*, std::span<double>, std::span<int>, NamesRef>;
 
 class ParameterVisitor {
 public:
@@ -106,7 +106,9 @@ private:
 
 /// Something with describe(ParameterVisitor&).
 template <class T>
-concept Described = requires(T& t, ParameterVisitor& v) { t.describe(v); };
+concept Described = requires(T& t, ParameterVisitor& v) {
+  t.describe(v);
+};
 
 /// Why a value was refused. The caller knows the file and line and turns it into a UserError.
 struct Refusal {

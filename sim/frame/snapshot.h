@@ -17,7 +17,9 @@ namespace flipbook {
 struct Channel {
   std::string name; ///< "speed", "vorticity", ...
   std::string unit;
-  double lo = 0, hi = 0; ///< extremes over all frames published so far, so that a shared scale never jumps back
+  /// At most one value in two hundred lies below lo and one above hi, in any frame published so far: a shared scale
+  /// neither follows a single drop of spray nor jumps back.
+  double lo = 0, hi = 0;
   bool diverging = false; ///< symmetric about zero (vorticity, velocity components)
   std::vector<float> values;
 };
@@ -31,7 +33,8 @@ struct LatticeData {
   std::vector<float> values;
 };
 
-/// Curves over time so far, one column for each quantity; at most `History::capacity` rows (older rows thin out evenly).
+/// Curves over time so far, one column for each quantity; at most `History::capacity` rows (older rows thin out
+/// evenly).
 struct History {
   static constexpr std::size_t capacity = 4096;
   struct Column {
@@ -73,8 +76,8 @@ struct Snapshot {
   std::array<bool, 3> periodic{false, false, false};
 
   // === What
-  double particle_spacing = 0;  ///< mean distance of neighbours at seeding: dx / particles per axis
-  std::vector<float> x, v;      ///< dim numbers for each particle, in cell order
+  double particle_spacing = 0; ///< mean distance of neighbours at seeding: dx / particles per axis
+  std::vector<float> x, v;     ///< dim numbers for each particle, in cell order
   std::vector<std::uint32_t> id;
   std::vector<Channel> channels;
   std::vector<LatticeData> lattices;

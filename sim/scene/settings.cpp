@@ -25,7 +25,7 @@ constexpr Option surfaces[] = {{"ghost", "Zero pressure where the level set is z
 constexpr Option solvers[] = {{"cg", "Conjugate gradients, scaled by the diagonal"},
                               {"mic", "Conjugate gradients with modified incomplete Cholesky"}};
 
-constexpr double most_cells = 1 << 28; // a field in single precision then takes 1 GiB
+constexpr double most_cells = 1 << 27; // a field in single precision then takes half a GiB
 
 } // namespace
 
@@ -53,7 +53,6 @@ void SeedingSettings::describe(ParameterVisitor& v) {
              .help = "Particles along each axis of a cell",
              .min = 1,
              .max = 8,
-             .level = Level::teach,
              .effect = Effect::restart},
             per_axis);
   v.integer(
@@ -65,16 +64,10 @@ void TimeSettings::describe(ParameterVisitor& v) {
   v.real({.name = "cfl",
           .help = "Cells that the fastest flow may cross in one step",
           .min = 0.01,
-          .max = 20,
+          .max = 5,
           .level = Level::teach},
          cfl);
-  v.real({.name = "dt",
-          .help = "Longest step; 0: only time.cfl bounds it",
-          .unit = "s",
-          .min = 0,
-          .max = 1000,
-          .level = Level::teach},
-         dt);
+  v.real({.name = "dt", .help = "Longest step; 0: only time.cfl bounds it", .unit = "s", .min = 0, .max = 1000}, dt);
   v.choice(
       {.name = "lockstep", .help = "Whether the variants of a comparison share one step", .effect = Effect::restart},
       lockstep, locksteps);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 
 namespace flipbook {
@@ -68,10 +69,16 @@ private:
   return options;
 }
 
-[[nodiscard]] std::string short_number(double x) {
+[[nodiscard]] std::string short_number(double x, int digits = 6) {
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", x);
+  std::snprintf(text.data(), text.size(), "%.*g", digits, x);
   return text.data();
+}
+
+/// For a title, which must not flicker while the number slides, but must not call 0.99999 a 1 either.
+[[nodiscard]] std::string title_number(double x) {
+  const double whole = std::round(x);
+  return short_number(x, x != whole && std::abs(x - whole) < 1e-4 ? 6 : 4);
 }
 
 [[nodiscard]] std::string lower(std::string_view text) {
@@ -126,7 +133,7 @@ std::string TransferSettings::title() const {
       const auto* number = std::get_if<double>(&set[i].value);
       const auto* choice = std::get_if<std::string>(&set[i].value);
       if (i == 0 && number && (changed || titled<S>()))
-        text += " " + short_number(*number);
+        text += " " + title_number(*number);
       else if (changed && choice)
         text += " " + *choice;
     }

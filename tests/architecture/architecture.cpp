@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rules that a compiler does not enforce, read from the sources: which folder may include which, how long a file may be,
-// and that every file says its licence.
+// The rules that a compiler does not enforce, read from the sources: which folder may include which, how long a file
+// may be, and that every file says its licence.
 
 #include <gtest/gtest.h>
 
@@ -102,7 +102,10 @@ TEST(Architecture, FilesAreShortAndLicensed) {
     EXPECT_LE(s.lines.size(), 400u) << s.path << " is long: split it by concept";
     for (std::size_t i = 0; i < s.lines.size(); ++i) {
       EXPECT_EQ(s.lines[i].find('\t'), std::string::npos) << s.path << ":" << i + 1 << ": a tab";
-      EXPECT_EQ(s.lines[i].find("TO" "DO"), std::string::npos) << s.path << ":" << i + 1 << ": unfinished";
+      EXPECT_EQ(s.lines[i].find("TO"
+                                "DO"),
+                std::string::npos)
+          << s.path << ":" << i + 1 << ": unfinished";
     }
   }
 }

@@ -1,32 +1,53 @@
 #!/bin/bash
-# Applies each small wrong change in tests/mutants/*.patch to a scratch copy of the sources and demands that the tests named
-# in its first lines catch it. A mutant that does not build, or that no test notices, is an error.
+# Applies each small wrong change in tests/mutants/*.patch to a scratch copy of the sources and demands that the test named
+# in its first line catches it. A mutant that does not apply or build, or that the test does not notice, is an error; so is a
+# test that fails, or does not exist, without any mutant.
 #   tests/mutants/run.sh [NAME...]        without names: all of them
 # A patch begins with:  Caught-by: <test program, without test_> <googletest filter>
+# Patches of one file stand side by side in the alphabet, so that undoing one and applying the next is one compilation.
 set -euo pipefail
 top=$(cd "$(dirname "$0")/../.." && pwd)
 . "$top/tests/mutants/scratch.sh"
 make_scratch "$top" # leaves us in the copy
 
-names=("$@")
-if [ ${#names[@]} -eq 0 ]; then
-  for p in "$top"/tests/mutants/*.patch; do names+=("$(basename "$p" .patch)"); done
-fi
-
-survived=0
-for name in "${names[@]}"; do
-  patch_file=$top/tests/mutants/$name.patch
-  read -r _ program filter < <(grep -m1 '^Caught-by:' "$patch_file")
-  patch -s -p1 <"$patch_file"
-  verdict=caught
-  if ! cmake --build ../build --target "test_$program" >../build.log 2>&1; then
-    verdict="DOES NOT BUILD (see build/mutants/build.log)"
-  elif "../build/tests/$program/test_$program" --gtest_filter="$filter" --gtest_brief=1 >../test.log 2>&1; then
-    verdict=SURVIVED
-  fi
-  patch -s -R -p1 <"$patch_file"
-  printf '%-36s %-14s %s\n' "$name" "$program" "$verdict"
-  [ "$verdict" = caught ] || survived=$((survived + 1))
+patches=()
+for name in "${@:-*}"; do
+  for p in "$top"/tests/mutants/$name.patch; do patches+=("$p"); done # the default is a pattern
 done
-echo "$((${#names[@]} - survived)) of ${#names[@]} mutants caught"
-[ "$survived" -eq 0 ]
+caught_by() { grep -m1 '^Caught-by:' "$1" | cut -d' ' -f2-; }
+build() { cmake --build ../build --target "$@" >../build.log 2>&1; }
+passes() { # PROGRAM FILTER; a filter that no test answers to is no pass
+  timeout 120 "../build/tests/$1/test_$1" --gtest_filter="$2" --gtest_brief=1 >../test.log 2>&1 &&
+    grep -q '\[  PASSED  \] [1-9]' ../test.log
+}
+
+mapfile -t programs < <(for p in "${patches[@]}"; do caught_by "$p" | sed 's/^/test_/; s/ .*//'; done | sort -u)
+build "${programs[@]}" || { tail -20 ../build.log >&2; echo "the sources without a mutant do not build" >&2; exit 1; }
+for p in "${patches[@]}"; do
+  read -r program filter < <(caught_by "$p")
+  passes "$program" "$filter" && continue
+  tail -20 ../test.log >&2
+  echo "without a mutant, $program \"$filter\" fails or names no test" >&2
+  exit 1
+done
+
+caught=0
+for p in "${patches[@]}"; do
+  read -r program filter < <(caught_by "$p")
+  begin=$SECONDS verdict=caught
+  if ! patch -s -f -p1 --dry-run <"$p" >/dev/null; then
+    verdict="DOES NOT APPLY"
+  else
+    patch -s -f -p1 --no-backup-if-mismatch <"$p"
+    if ! build "test_$program"; then
+      verdict="DOES NOT BUILD (see build/mutants/build.log)"
+    elif passes "$program" "$filter"; then
+      verdict=SURVIVED
+    fi
+    patch -s -f -R -p1 --no-backup-if-mismatch <"$p"
+  fi
+  [ "$verdict" != caught ] || caught=$((caught + 1))
+  printf '%-32s %-12s %3d s  %s\n' "$(basename "$p" .patch)" "$program" $((SECONDS - begin)) "$verdict"
+done
+echo "$caught of ${#patches[@]} mutants caught"
+[ "$caught" -eq "${#patches[@]}" ]

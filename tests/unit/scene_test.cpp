@@ -66,8 +66,8 @@ TEST(Scene, SaysWhereAMistakeIs) {
       {"grid.cell = [8, 8]\n", "s.toml:1:6: unknown parameter \"grid.cell\"; did you mean \"grid.cells\"?"},
       {"[grid]\n  cells = \"many\"\n",
        "s.toml:2:3: grid.cells must be 2 or 3 whole numbers from 1 to 16384, not \"many\""},
-      {"time.cfl = -1\n", "s.toml:1:6: time.cfl must be a number from 0.01 to 20, not -1"},
-      {"time.cfl = nan\n", "s.toml:1:6: time.cfl must be a number from 0.01 to 20, not nan"},
+      {"time.cfl = -1\n", "s.toml:1:6: time.cfl must be a number from 0.01 to 5, not -1"},
+      {"time.cfl = nan\n", "s.toml:1:6: time.cfl must be a number from 0.01 to 5, not nan"},
       {"fluid.density = \"1 kg\"\n",
        "s.toml:1:7: fluid.density must be a number from 1e-06 to 1000000 (kg/m^3), not \"1 kg\""},
       {"walls.x = \"slipp\"\n",
@@ -83,7 +83,7 @@ TEST(Scene, SaysWhereAMistakeIs) {
       {"pressure.tolerance = 1e-10\n", "s.toml:1:10: a pressure.tolerance of 1e-10 cannot be reached in single "
                                        "precision; set precision = \"double\""},
       {"dim = 3\ngrid.cells = [4096, 4096]\n",
-       "s.toml:2:6: the grid has 68719476736 cells; at most 268435456 are supported"},
+       "s.toml:2:6: the grid has 68719476736 cells; at most 134217728 are supported"},
       {"[[fluid]]\nshape = \"box\"\n", "s.toml:1:3: bodies of fluid are written as [[body]]"},
       {"grid.cells = [8, \"a\"]\n", "s.toml:1:6: a list holds either numbers or texts"},
       {"grid.cells = { x = 3 }\n", "s.toml:1:16: unknown parameter \"grid.cells.x\"; did you mean \"grid.cells\"?"},
@@ -135,7 +135,7 @@ TEST(Scene, SaysWhatIsWrongWithABody) {
 TEST(Scene, ReportsAllItsMistakes) {
   EXPECT_EQ(
       message_of([] { (void)parse_scene("time.cfl = 0\ngrid.sise = [1, 1]\n[[body]]\nshape = \"bax\"\n", "s.toml"); }),
-      "s.toml:1:6: time.cfl must be a number from 0.01 to 20, not 0\n"
+      "s.toml:1:6: time.cfl must be a number from 0.01 to 5, not 0\n"
       "s.toml:2:6: unknown parameter \"grid.sise\"; did you mean \"grid.size\"?\n"
       "s.toml:4:1: there is no shape \"bax\"; did you mean \"box\"?");
 }

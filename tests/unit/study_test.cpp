@@ -130,7 +130,7 @@ TEST(Study, SaysWhereAMistakeIs) {
       {two + "[[key]]\nt = 1\nvariant = \"APIC\"\ntransfer.flip_ratio = 1\n",
        "s.toml:10:10: no variant uses transfer.flip_ratio at t = 1"},
       {"[[key]]\nt = 1\ngrid.cells = [8, 8]\n", "s.toml:4:6: grid.cells cannot change during a run"},
-      {"[[key]]\nt = 1\ntime.cfl = nan\n", "s.toml:4:6: time.cfl must be a number from 0.01 to 20, not nan"},
+      {"[[key]]\nt = 1\ntime.cfl = nan\n", "s.toml:4:6: time.cfl must be a number from 0.01 to 5, not nan"},
       {"[[key]]\nt = 1\npressure.tolerance = 1e-9\n",
        "s.toml:4:10: a pressure.tolerance of 1e-09 cannot be reached in single precision; set precision = \"double\""},
       {"[[key]]\nt = -1\ntime.cfl = 1\n", "s.toml:3:1: \"t\" must be a number from 0 to 1000000, not -1"},

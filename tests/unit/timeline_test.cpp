@@ -106,8 +106,11 @@ TEST(Timeline, RoundsWholeNumbers) {
 TEST(Timeline, HasAPointerThatTravelsHoldsAndLeaves) {
   const Resolved r = with_keys("[[key]]\nt = 1\nover = 0.5\nvariant = \"other\"\ntransfer.flip_ratio = 0.4\n");
   const auto at = [&](double t) { return r.timeline.pointer_targets(t, r.scale); };
-  EXPECT_TRUE(at(0.29).empty()) << "0.6 s on the way, and 0.1 s before the move";
-  EXPECT_TRUE(at(2.21).empty());
+  for (const double t : {0.0, 0.29, 2.21}) {
+    ASSERT_EQ(at(t).size(), 1U) << "the panel shows the row from the first frame on";
+    EXPECT_EQ(at(t)[0].grip, 0) << "0.6 s on the way, and 0.1 s before the move";
+    EXPECT_FALSE(at(t)[0].pressed);
+  }
   ASSERT_EQ(at(0.6).size(), 1U);
   EXPECT_EQ(at(0.6)[0].path, "transfer.flip_ratio");
   EXPECT_EQ(at(0.6)[0].variant, 2);
