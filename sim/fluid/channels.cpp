@@ -3,6 +3,7 @@
 
 #include "sim/core/cross.h"
 #include "sim/transfer/interpolate.h"
+#include "sim/transfer/transfer.h"
 
 #include <cmath>
 
@@ -86,10 +87,22 @@ template <int Dim, class Real> std::vector<float> pressure(const FluidState<Dim,
   });
 }
 
-/// |v_p - u(x_p)|: what a particle's velocity holds that the grid cannot see.
+/// |v_p - u(x_p)|, where u is what P2G would leave on the grid now: what a particle's velocity holds that the grid
+/// cannot see. (The grid of the last step belongs to where the particles were before they moved.)
 template <int Dim, class Real> std::vector<float> noise(const FluidState<Dim, Real>& s, Pool& pool) {
-  return with_kernel(s.settings.transfer.kernel, [&](auto k) {
-    const Interpolator<decltype(k), Dim, Real> u(Layout::mac, s.grid, s.u);
+  const KernelName kernel = s.settings.transfer.kernel;
+  Particles<Dim, Real> sorted = s.particles;
+  CellOrder<Dim> order;
+  sort_by_cell(sorted, s.grid, order, pool);
+  Components<Dim, Real> mass, velocity;
+  mass.resize(s.grid);
+  velocity.resize(s.grid);
+  p2g(s.settings.transfer.corner(), kernel, Layout::mac, s.grid, sorted, order, mass, velocity, pool);
+  s.walls.fold(mass);
+  s.walls.fold(velocity);
+  to_velocity(mass, velocity, pool);
+  return with_kernel(kernel, [&](auto k) {
+    const Interpolator<decltype(k), Dim, Real> u(Layout::mac, s.grid, velocity);
     return for_each_particle(s.particles.size(), pool, [&](std::size_t p) {
       return (s.particles.velocity(p) - u(s.particles.position(p))).norm();
     });

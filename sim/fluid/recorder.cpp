@@ -29,8 +29,8 @@ template <int Dim, class Real> std::vector<std::string> notes(const FluidState<D
     list.emplace_back("With a periodic axis the angular momentum is not defined.");
   else if (s.settings.time.advection != Advection::rk1)
     list.emplace_back(
-        "Advection with rk2 or rk3 moves particles apart from their own velocity: angular momentum is not "
-        "expected to hold exactly.");
+        "Particles move with the grid's velocity (rk2, rk3), not with their own: angular momentum need not hold "
+        "exactly.");
   if (s.solve.residual > std::max(s.settings.pressure.tolerance, 1e-5))
     list.emplace_back("The pressure solve ended above its tolerance.");
   return list;

@@ -143,9 +143,17 @@ void fill(Parameter& p, std::span<const Option> options) {
 } // namespace
 
 void detail::Collector::visit(const std::string& path, const Spec& spec, Ref ref) {
-  Parameter p{
-      path,       Kind::flag,  false,       std::string(spec.help), std::string(spec.unit), spec.min, spec.max, {}, {},
-      spec.level, spec.effect, spec.applies};
+  Parameter p;
+  p.path = path;
+  p.help = spec.help;
+  p.unit = spec.unit;
+  p.min = spec.min;
+  p.max = spec.max;
+  p.level = spec.level;
+  p.effect = spec.effect;
+  p.applies = spec.applies;
+  p.at_min = spec.at_min;
+  p.at_max = spec.at_max;
   const auto store = [&p](Kind kind, Value value) { p.kind = kind, p.value = std::move(value); };
   if (auto* b = std::get_if<bool*>(&ref))
     store(Kind::flag, **b);

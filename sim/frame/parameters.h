@@ -35,6 +35,7 @@ struct Spec {
   Level level = Level::expert;
   Effect effect = Effect::live;
   bool applies = true; ///< false: known, but without effect in the present settings (another scheme's parameter)
+  std::string_view at_min = "", at_max = ""; ///< what the ends of the range mean, for a label: "PIC" and "FLIP"
 };
 
 /// A value as files, the command line, the timeline and the panel exchange it. Numbers are double, a choice is its
@@ -55,6 +56,7 @@ struct Parameter {
   Level level = Level::expert;
   Effect effect = Effect::live;
   bool applies = true;
+  std::string at_min, at_max;
 };
 
 /// A reference to a parameter's storage.

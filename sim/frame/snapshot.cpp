@@ -35,6 +35,8 @@ template <class Archive> void fields(Archive& a, Parameter& p) {
   a.enumeration("level", p.level, static_cast<int>(Level::expert));
   a.enumeration("effect", p.effect, static_cast<int>(Effect::restart));
   a.field("applies", p.applies);
+  a.field("at_min", p.at_min);
+  a.field("at_max", p.at_max);
 }
 
 template <class Archive> void fields(Archive& a, Channel& c) {

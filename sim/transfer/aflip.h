@@ -23,13 +23,17 @@ struct Aflip {
             .help = "Share of FLIP in the velocity update. 1: pure FLIP, 0: pure PIC",
             .min = 0,
             .max = 1,
-            .level = Level::teach},
+            .level = Level::teach,
+            .at_min = "PIC",
+            .at_max = "FLIP"},
            flip_ratio);
     v.real({.name = "affine",
             .help = "Share of the velocity gradient that a particle keeps. 1: all of it, 0: none",
             .min = 0,
             .max = 1,
-            .level = Level::teach},
+            .level = Level::teach,
+            .at_min = "none",
+            .at_max = "full"},
            affine);
   }
   [[nodiscard]] Corner corner() const { return {.mode = AffineMode::full, .flip_ratio = flip_ratio, .affine = affine}; }

@@ -21,7 +21,9 @@ struct Apic {
             .help = "Share of the velocity gradient that a particle keeps. 1: all of it, 0: none (PIC)",
             .min = 0,
             .max = 1,
-            .level = Level::teach},
+            .level = Level::teach,
+            .at_min = "none",
+            .at_max = "full"},
            affine);
   }
   [[nodiscard]] Corner corner() const { return {.mode = AffineMode::full, .affine = affine}; }

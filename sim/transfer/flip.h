@@ -21,7 +21,9 @@ struct Flip {
             .help = "Share of FLIP in the velocity update. 1: pure FLIP, 0: pure PIC",
             .min = 0,
             .max = 1,
-            .level = Level::teach},
+            .level = Level::teach,
+            .at_min = "PIC",
+            .at_max = "FLIP"},
            flip_ratio);
   }
   [[nodiscard]] Corner corner() const { return {.flip_ratio = flip_ratio}; }

@@ -28,7 +28,9 @@ struct Rpic {
             .help = "Share of the spin that a particle keeps. 1: all of it, 0: none (PIC)",
             .min = 0,
             .max = 1,
-            .level = Level::teach},
+            .level = Level::teach,
+            .at_min = "none",
+            .at_max = "full"},
            affine);
     v.choice({.name = "form", .help = "How RPIC finds the spin of a particle"}, form, forms);
   }

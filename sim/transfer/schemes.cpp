@@ -75,10 +75,10 @@ private:
   return text.data();
 }
 
-/// For a title, which must not flicker while the number slides, but must not call 0.99999 a 1 either.
+/// Three digits, so that a title is steady while the number slides; more where they would make 0.9995 a 1.
 [[nodiscard]] std::string title_number(double x) {
   const double whole = std::round(x);
-  return short_number(x, x != whole && std::abs(x - whole) < 1e-4 ? 6 : 4);
+  return short_number(x, x != whole && std::abs(x - whole) < 5e-3 ? 6 : 3);
 }
 
 [[nodiscard]] std::string lower(std::string_view text) {

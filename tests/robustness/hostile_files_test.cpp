@@ -18,7 +18,7 @@ namespace {
 Snapshot small_snapshot() {
   Snapshot s;
   s.title = "FLIP";
-  s.parameters = {{"a.b", Kind::real, 0.5, "h", "m", 0, 1, {"x"}, {"y"}, Level::teach, Effect::live, true}};
+  s.parameters = {{"a.b", Kind::real, 0.5, "h", "m", 0, 1, {"x"}, {"y"}, Level::teach, Effect::live, true, "lo", "hi"}};
   s.x = {0.1F, 0.2F, 0.3F, 0.4F};
   s.v = {0, 0, 0, 0};
   s.id = {0, 1};
@@ -53,10 +53,10 @@ TEST(HostileSnapshot, IsRefusedWithItsLine) {
   EXPECT_EQ(load(good), "no error");
   EXPECT_EQ(load("nonsense"), "S:1:1: is not a snapshot: its first line must be \"flipbook-snapshot 1\"");
   EXPECT_EQ(load(replaced(good, "\nx 4 ", "\nx 4000000000 ")),
-            "S:33: a length of 4000000000 is more than the file holds");
+            "S:35: a length of 4000000000 is more than the file holds");
   EXPECT_EQ(load(replaced(good, "\nparameters 1", "\nparameters 99")),
             "S:6: a length of 99 is more than the file holds");
-  EXPECT_EQ(load(replaced(good, "\nx 4 ", "\nx -1 ")), "S:33: expected a number");
+  EXPECT_EQ(load(replaced(good, "\nx 4 ", "\nx -1 ")), "S:35: expected a number");
 }
 
 TEST(HostileSnapshot, MustBeConsistent) {

@@ -146,10 +146,10 @@ TEST(Seeding, RefusesNoneAndTooMany) {
   EXPECT_EQ(message_of([] { (void)seed<2, float>("[[body]]\nshape = \"ball\"\ncentre = [5, 5]\nradius = 1\n"); }),
             "scene \"test\": no particle starts inside the domain");
   EXPECT_EQ(message_of([] {
-              (void)seed<2, float>("grid.cells = [16384, 16384]\nseeding.per_axis = 8\n[[body]]\nshape = \"ball\"\n"
+              (void)seed<2, float>("grid.cells = [11584, 11584]\nseeding.per_axis = 8\n[[body]]\nshape = \"ball\"\n"
                                    "centre = [0, 0]\nradius = 1\n");
             }),
-            "grid.cells and seeding.per_axis make 17179869184 places for particles; at most 4294967296 are supported");
+            "grid.cells and seeding.per_axis make 8588099584 places for particles; at most 4294967296 are supported");
 }
 
 /// Mean 1/2 and variance 1/12 of numbers that are uniform in (0, 1), within 5 standard errors; neighbours uncorrelated.

@@ -18,8 +18,21 @@ Snapshot example() {
   s.kernel = "linear";
   s.solver = "fluid";
   s.parameters = {
-      {"transfer.flip_ratio", Kind::real, 0.97, "h", "", 0, 1, {}, {}, Level::teach, Effect::live, true},
-      {"view.none", Kind::reals, std::vector<double>{}, "h", "m", 0, 1, {}, {}, Level::expert, Effect::live, false},
+      {"transfer.flip_ratio", Kind::real, 0.97, "h", "", 0, 1, {}, {}, Level::teach, Effect::live, true, "PIC", "FLIP"},
+      {"view.none",
+       Kind::reals,
+       std::vector<double>{},
+       "h",
+       "m",
+       0,
+       1,
+       {},
+       {},
+       Level::expert,
+       Effect::live,
+       false,
+       "PIC",
+       "FLIP"},
       {"transfer.kernel",
        Kind::choice,
        std::string("linear"),
@@ -31,7 +44,9 @@ Snapshot example() {
        {"one", "two words"},
        Level::expert,
        Effect::restart,
-       true}};
+       true,
+       "PIC",
+       "FLIP"}};
   s.notes = {"L is not expected to hold", "second\nline"};
   s.frame = 12;
   s.time = 0.1 + 0.2;
@@ -62,6 +77,8 @@ void expect_equal(const Parameter& a, const Parameter& b) {
   EXPECT_EQ(a.value, b.value);
   EXPECT_EQ(a.help, b.help);
   EXPECT_EQ(a.unit, b.unit);
+  EXPECT_EQ(a.at_min, b.at_min);
+  EXPECT_EQ(a.at_max, b.at_max);
   EXPECT_EQ(a.min, b.min);
   EXPECT_EQ(a.max, b.max);
   EXPECT_EQ(a.options, b.options);

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: MIT
-#include "tests/property/cases.h"
+// What every kernel promises, from its header alone.
+#include "sim/kernels/kernels.h"
 
-#include "sim/transfer/interpolate.h"
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <tuple>
 
 namespace flipbook {
 namespace {
 
+template <class List> struct AllOf;
+template <class... K> struct AllOf<std::tuple<K...>> { using Types = testing::Types<K...>; };
 template <class K> class KernelTest : public testing::Test {};
-using AllKernels = testing::Types<Linear, Quadratic, Cubic>;
-TYPED_TEST_SUITE(KernelTest, AllKernels);
+TYPED_TEST_SUITE(KernelTest, AllOf<Kernels>::Types);
 
 /// body(q) for positions all over a cell.
 template <class Body> void each_position(Body&& body) {
@@ -73,38 +79,10 @@ TYPED_TEST(KernelTest, WeightsAreContinuousFromCellToCell) {
 }
 
 TEST(Kernels, ListAndNamesAgree) {
-  for (const KernelName k : kernels)
-    with_kernel(k, [&](auto kernel) { EXPECT_EQ(kernel.name, kernel_options()[static_cast<std::size_t>(k)].name); });
+  ASSERT_EQ(kernel_options().size(), std::tuple_size_v<Kernels>);
+  for (std::size_t k = 0; k < kernel_options().size(); ++k)
+    with_kernel(static_cast<KernelName>(k), [&](auto kernel) { EXPECT_EQ(kernel.name, kernel_options()[k].name); });
   EXPECT_EQ(kernel_options()[1].name, "quadratic");
-}
-
-template <class C> class InterpolatorTest : public testing::Test {};
-TYPED_TEST_SUITE(InterpolatorTest, Cases);
-
-TYPED_TEST(InterpolatorTest, ReproducesAnAffineFieldAndItsGradient) {
-  constexpr int Dim = TypeParam::dim;
-  using Real = typename TypeParam::Real;
-  Threads threads(1);
-  const Trial<Dim, Real> trial(AffineMode::none, 60, 3, threads.pool);
-  each_combination({pic}, [&](const Corner&, KernelName kernel, Layout layout) {
-    const auto field = trial.affine_field(layout, false);
-    with_kernel(kernel, [&](auto k) {
-      const Interpolator<decltype(k), Dim, Real> velocity(layout, trial.grid, field);
-      const Vec<Dim, Real> centre = trial.origin.template cast<Real>();
-      const Mat<Dim, Real> C = velocity.gradient(centre);
-      EXPECT_GT(C.norm(), 1);
-      for (std::size_t p = 0; p < trial.particles.size(); ++p) {
-        const Vec<Dim, Real> x = trial.particles.position(p);
-        const Vec<Dim, Real> expected = velocity(centre) + C * (x - centre);
-        EXPECT_LT((velocity(x) - expected).norm(), 3 * TypeParam::tolerance);
-        EXPECT_LT((velocity.gradient(x) - C).norm(), 3 * TypeParam::tolerance / trial.grid.dx);
-      }
-      // A known value: the field at the centre is the constant of affine_field.
-      for (int a = 0; a < Dim; ++a)
-        EXPECT_NEAR(velocity(centre)[a], trial.number(6, static_cast<std::uint64_t>(a), 0, -1, 1),
-                    TypeParam::tolerance);
-    });
-  });
 }
 
 } // namespace
