@@ -57,7 +57,7 @@ struct Renderer::Impl {
     std::optional<gui::Hand> hand;
     const PointerTarget* target = chosen_target(frame);
     if (const Widget* w = target == nullptr ? nullptr : find_widget(widgets, *target); w != nullptr) {
-      hand = gui::Hand{gui::pointer_at({w->grip_x, w->grip_y}, target->grip, canvas.width(), canvas.height()), false};
+      hand = gui::Hand{gui::pointer_at({w->grip_x, w->grip_y}, target->grip, fonts.scale()), false};
       pass(hand);
       if (target->pressed) {
         hand->pressed = true;
@@ -85,7 +85,9 @@ struct Renderer::Impl {
     ink_layer(session, [&](gui::Ink& ink) { page.draw_over(ink); });
     const ImDrawData& widgets = session.data();
     for (int i = 0; i < widgets.CmdListsCount; ++i) painter.draw(*widgets.CmdLists[i], canvas);
-    if (hand) ink_layer(session, [&](gui::Ink& ink) { draw_pointer(ink, hand->at, hand->pressed); });
+    if (hand)
+      ink_layer(session,
+                [&](gui::Ink& ink) { draw_pointer(ink, hand->at, chosen_target(frame)->grip, hand->pressed); });
     return canvas.read();
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/panel/panel.h"
 
+#include "render/compose/titles.h"
 #include "render/gui/ink.h"
 #include "render/views/ticks.h"
 
@@ -21,6 +22,8 @@ namespace {
 
 // In points.
 constexpr float padding = 14, line_height = 21, slider_height = 14, group_gap = 9;
+/// Rows move closer, down to this share, before any is left out.
+constexpr float tightest = 0.85F;
 
 /// "flip ratio" for "transfer.flip_ratio"; a very short name keeps its group: "walls x".
 std::string label_of(std::string_view path) {
@@ -38,10 +41,10 @@ std::string value_of(double x) {
 }
 
 /// Numbers of a list; the third axis of a 2D run says nothing.
-std::string joined(const std::vector<double>& x, int dim) {
+std::string joined(const std::vector<double>& x, int dim, std::string_view between) {
   const std::size_t n = x.size() == 3 ? static_cast<std::size_t>(dim) : x.size();
   std::string out;
-  for (std::size_t i = 0; i < n; ++i) out += (i == 0 ? "" : ", ") + value_of(x[i]);
+  for (std::size_t i = 0; i < n; ++i) out.append(i == 0 ? "" : between).append(value_of(x[i]));
   return out;
 }
 
@@ -50,10 +53,17 @@ std::string value_text(const Parameter& p, int dim) {
   if (const auto* flag = std::get_if<bool>(&p.value)) text = *flag ? "on" : "off";
   if (const auto* x = std::get_if<double>(&p.value)) text = value_of(*x);
   if (const auto* s = std::get_if<std::string>(&p.value)) text = *s;
-  if (const auto* list = std::get_if<std::vector<double>>(&p.value)) text = joined(*list, dim);
+  if (const auto* list = std::get_if<std::vector<double>>(&p.value))
+    text = joined(*list, dim, p.kind == Kind::integers ? " × " : ", ");
   if (const auto* list = std::get_if<std::vector<std::string>>(&p.value))
     for (const std::string& s : *list) text += (text.empty() ? "" : ", ") + s;
   return p.unit.empty() ? text : text + " " + render::unit_text(p.unit);
+}
+
+/// "0 PIC - 1 FLIP": what the ends of a slider mean, so that nobody has to remember which is which.
+std::string ends_of(const Parameter& p) {
+  if (p.at_min.empty() && p.at_max.empty()) return "";
+  return value_of(p.min) + " " + p.at_min + " – " + value_of(p.max) + " " + p.at_max;
 }
 
 enum class Look { slider, combo, check, text };
@@ -66,7 +76,7 @@ Look look_of(const Parameter& p) {
   return number && std::isfinite(p.min) && std::isfinite(p.max) && p.max > p.min ? Look::slider : Look::text;
 }
 
-/// Lays the groups out from top to bottom.
+/// Lays the groups out from top to bottom; what does not fit even when closer together is left out.
 class Builder {
 public:
   Builder(const render::Frame& frame, render::PanelArea& area)
@@ -77,87 +87,122 @@ public:
                                                                            area.box.h - 2 * pt(padding - 4)},
         y_(inner_.y) {}
 
-  void run(const std::vector<PanelGroup>& groups) {
-    ink_.fill({area_.box.x, area_.box.y, area_.box.w, std::min(area_.box.h, card_height(groups))}, area_.palette.pane,
-              pt(6));
-    std::size_t shown = 0;
-    for (; shown < groups.size(); ++shown) {
-      const float after = shown + 1 < groups.size() ? pt(line_height) : 0; // room for "and n more"
-      if (y_ + height_of(groups[shown]) + after > inner_.bottom()) break;
-      if (separated(groups, shown)) separator();
-      add(groups[shown]);
-      y_ += pt(group_gap);
+  void run(const std::vector<PanelGroup>& all) {
+    const std::vector<PanelGroup> groups = those_that_fit(all);
+    const std::size_t left = all.size() - groups.size();
+    for (spacing_ = 1; spacing_ > tightest && height_of(groups, left) > inner_.h;) spacing_ -= 0.05F;
+    const float height = height_of(groups, left) + area_.box.h - inner_.h;
+    ink_.fill({area_.box.x, area_.box.y, area_.box.w, std::min(area_.box.h, height)}, area_.palette.pane, pt(6));
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      if (i > 0) y_ += gap();
+      if (separated(groups, i)) separator();
+      add(groups[i]);
     }
-    if (const std::size_t left = groups.size() - shown; left > 0)
-      ink_.text({inner_.x, inner_.bottom() - pt(line_height), inner_.w, pt(line_height)}, Type::small,
-                area_.palette.muted, "and " + std::to_string(left) + " more");
+    if (left == 0) return;
+    if (!groups.empty()) y_ += gap();
+    ink_.text({inner_.x, y_, inner_.w, line()}, Type::small, area_.palette.muted,
+              "and " + std::to_string(left) + " more");
   }
 
 private:
   [[nodiscard]] float pt(float points) const { return std::round(points * area_.scale); }
+  [[nodiscard]] float line() const { return std::floor(line_height * area_.scale * spacing_); }
+  [[nodiscard]] float gap() const { return std::floor(group_gap * area_.scale * spacing_); }
 
   [[nodiscard]] float height_of(const PanelGroup& g) const {
-    if (g.rows[0].variant >= 0) return pt(line_height) * static_cast<float>(g.rows.size() + 1) + pt(group_gap);
-    return look_of(*g.rows[0].parameter) == Look::slider ? pt(line_height) + pt(slider_height) : pt(line_height);
+    if (g.rows[0].variant >= 0) return line() * static_cast<float>(g.rows.size() + 1);
+    return look_of(*g.rows[0].parameter) == Look::slider ? line() + pt(slider_height) : line();
+  }
+  /// Of these groups, and of the line for those left out.
+  [[nodiscard]] float height_of(const std::vector<PanelGroup>& groups, std::size_t left) const {
+    float h = left > 0 ? line() + (groups.empty() ? 0 : gap()) : 0;
+    for (std::size_t i = 0; i < groups.size(); ++i)
+      h += height_of(groups[i]) + (i > 0 ? gap() : 0) + (separated(groups, i) ? gap() : 0);
+    return h;
+  }
+
+  /// All; or, close together, those for which there is still room after the ones before them.
+  [[nodiscard]] std::vector<PanelGroup> those_that_fit(const std::vector<PanelGroup>& all) {
+    spacing_ = tightest;
+    if (height_of(all, 0) <= inner_.h) return all;
+    std::vector<PanelGroup> kept;
+    for (const PanelGroup& g : all) {
+      kept.push_back(g);
+      if (height_of(kept, 1) > inner_.h) kept.pop_back();
+    }
+    return kept;
   }
 
   [[nodiscard]] static bool separated(const std::vector<PanelGroup>& groups, std::size_t i) {
     return i > 0 && (groups[i].rows[0].variant >= 0 || groups[i - 1].rows[0].variant >= 0);
   }
-  [[nodiscard]] float separator_height() const { return pt(group_gap) - pt(2); }
-
-  /// With room for all the groups.
-  [[nodiscard]] float card_height(const std::vector<PanelGroup>& groups) const {
-    float h = 2 * pt(padding - 4);
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-      const bool pane_rows = groups[i].rows[0].variant >= 0;
-      h += height_of(groups[i]) + (pane_rows ? 0 : pt(group_gap)) + (separated(groups, i) ? separator_height() : 0);
-    }
-    return h;
-  }
 
   void separator() {
     const float h = ink_.hair();
-    const float y = std::round(y_ - pt(1)) + h / 2;
+    const float y = std::round(y_) + h / 2;
     ink_.line({inner_.x, y}, {inner_.right(), y}, area_.palette.line, h);
-    y_ += separator_height();
+    y_ += gap();
   }
 
   void add(const PanelGroup& group) {
     const Parameter& first = *group.rows[0].parameter;
-    const Rect line{inner_.x, y_, inner_.w, pt(line_height)};
+    const Rect row{inner_.x, y_, inner_.w, line()};
     if (group.rows[0].variant >= 0) {
-      ink_.text(line, Type::strong, area_.palette.text, label_of(group.path));
-      y_ += line.h;
-      for (const PanelRow& row : group.rows) add_variant(row);
+      const std::string label = label_of(group.path);
+      ink_.text(row, Type::strong, area_.palette.text, label);
+      const float used = area_.fonts.width(Type::strong, label) + pt(8);
+      if (const std::string ends = ends_of(first); area_.fonts.width(Type::small, ends) <= row.w - used)
+        ink_.text(row, Type::small, area_.palette.muted, ends, Align::right);
+      y_ += row.h;
+      add_variants(group);
       return;
     }
     const Look look = look_of(first);
     if (look == Look::slider) {
-      const float name = inner_.w * 0.6F;
-      ink_.text({line.x, line.y, name - pt(6), line.h}, Type::body, area_.palette.muted, label_of(group.path));
-      ink_.text({line.x + name, line.y, line.w - name, line.h}, Type::body, area_.palette.text, text_of(group.rows[0]),
+      const std::string label = label_of(group.path), value = text_of(group.rows[0]);
+      const float value_width = std::ceil(area_.fonts.width(Type::body, value)) + 1;
+      ink_.text({row.right() - value_width, row.y, value_width, row.h}, Type::body, area_.palette.text, value,
                 Align::right);
-      y_ += line.h;
-      widget(group.rows[0], {inner_.x, y_, inner_.w, pt(slider_height)}, area_.palette.accent);
+      const float name = row.w - std::max(value_width, 0.2F * row.w) - pt(6); // steady while the value moves
+      ink_.text({row.x, row.y, name, row.h}, Type::body, area_.palette.muted, label);
+      const float after = area_.fonts.width(Type::body, label) + pt(8);
+      if (const std::string ends = ends_of(first); area_.fonts.width(Type::small, ends) <= name - after)
+        ink_.text({row.x + after, row.y, name - after, row.h}, Type::small, area_.palette.muted, ends);
+      y_ += row.h;
+      const float aside = std::max(2.F, pt(slider_height) / 2 - pt(2)); // the trough begins below the name
+      widget(group.rows[0], {inner_.x - aside, y_, inner_.w + 2 * aside, pt(slider_height)}, area_.palette.accent);
       y_ += pt(slider_height);
       return;
     }
     const float half = std::round(inner_.w * 0.46F);
-    ink_.text({line.x, line.y, half - pt(6), line.h}, Type::body, area_.palette.muted, label_of(group.path));
-    widget(group.rows[0], {line.x + half, line.y, line.w - half, line.h}, area_.palette.accent);
-    y_ += line.h;
+    ink_.text({row.x, row.y, half - pt(6), row.h}, Type::body, area_.palette.muted, label_of(group.path));
+    widget(group.rows[0], {row.x + half, row.y, row.w - half, row.h}, area_.palette.accent);
+    y_ += row.h;
+  }
+
+  /// A line for each pane. The column of titles is as wide as it needs, from a third to half.
+  void add_variants(const PanelGroup& group) {
+    std::vector<std::string> titles;
+    float widest = 0;
+    for (const PanelRow& row : group.rows) {
+      titles.push_back(frame_.panes[static_cast<std::size_t>(row.variant)].title);
+      widest = std::max(widest, area_.fonts.width(Type::small, titles.back()));
+    }
+    const float most = look_of(*group.rows[0].parameter) == Look::slider ? 0.38F : 0.48F; // a slider needs its length
+    const float column = std::ceil(std::clamp(widest + pt(8), inner_.w * 0.36F, inner_.w * most));
+    const std::vector<float> widths(titles.size(), column - pt(8));
+    titles = render::fit_titles(area_.fonts, Type::small, std::move(titles), widths).text;
+    for (std::size_t i = 0; i < titles.size(); ++i) add_variant(group.rows[i], titles[i], column);
   }
 
   /// One pane's row: its title, the widget, the value.
-  void add_variant(const PanelRow& row) {
+  void add_variant(const PanelRow& row, const std::string& title, float name) {
     const auto pane = static_cast<std::size_t>(row.variant);
     const Colour colour = area_.palette.variant(pane);
-    const float h = pt(line_height), chip = pt(8);
+    const float h = line(), chip = pt(8);
     ink_.fill({inner_.x, std::round(y_ + (h - chip) / 2), chip, chip}, colour, pt(2));
     const float left = inner_.x + chip + pt(7);
-    const float name = std::round(inner_.w * 0.36F);
-    ink_.text({left, y_, name - pt(6), h}, Type::small, area_.palette.text, frame_.panes[pane].title);
+    ink_.text({left, y_, name - pt(6), h}, Type::small, area_.palette.text, title);
     Rect rest{left + name, y_, inner_.right() - left - name, h};
     if (look_of(*row.parameter) == Look::slider) {
       const std::string text = text_of(row);
@@ -205,8 +250,9 @@ private:
     const float handle = std::max(4.F, box.h - 4), from = box.x + 2 + handle / 2, to = box.right() - 2 - handle / 2;
     const float grip = from + share * (to - from), thin = pt(4);
     const float y = std::round(box.middle_y() - thin / 2);
-    ink_.fill({box.x, y, box.w, thin}, area_.palette.track, thin / 2);
-    ink_.fill({box.x, y, grip - box.x, thin}, colour, thin / 2);
+    // Its round ends have their centres where the middle of the handle can be: at an end it hides the trough's.
+    ink_.fill({from - thin / 2, y, to - from + thin, thin}, area_.palette.track, thin / 2);
+    ink_.fill({from - thin / 2, y, grip - from + thin, thin}, colour, thin / 2);
 
     ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, handle);
     ImGui::PushStyleVar(ImGuiStyleVar_GrabRounding, handle / 2);
@@ -258,7 +304,7 @@ private:
   render::PanelArea& area_;
   render::gui::Ink ink_;
   Rect inner_;
-  float y_;
+  float y_, spacing_ = 1;
 };
 
 void build_panel(const render::Frame& frame, const render::ViewSettings& view, render::PanelArea& area) {

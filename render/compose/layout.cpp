@@ -9,10 +9,12 @@ namespace {
 // In points.
 constexpr float margin = 20, gap = 14, header_height = 30, header_gap = 14, title_height = 20, caption_height = 17;
 constexpr float legend_height = 18, footer_height = 16, widest_gap = 44, least_plot = 84, least_side = 230;
+constexpr float most_row_gap = 22, pane_padding = 5, small_padding = 3, small_pane = 200;
 
 struct Grid {
   std::size_t columns = 1, rows = 1;
   float magnification = 0; ///< pixels for each unit of the domain
+  float padding = 0;
 };
 
 class Arranger {
@@ -23,21 +25,21 @@ public:
     Rect body = header_and_borders();
     const bool plots = r_.plots > 0 && r_.plot_height > 0;
     if (!plots) {
-      place_panes(body, best_grid(body), widest_gap, widest_gap, 0.5F, 0.5F);
+      place_panes(body, best_grid(body), widest_gap, 0.5F);
       return std::move(out_);
     }
     const Rect above = upper(body), beside = left(body);
     const Grid below_grid = best_grid(above), side_grid = best_grid(beside);
     // Reading order is clearer with the plots below: beside has to gain something.
     if (side_grid.magnification > 1.1F * below_grid.magnification) {
-      const Rect used = place_panes(beside, side_grid, gap, widest_gap, 0, 0);
+      const Rect used = place_panes(beside, side_grid, gap, 0);
       const float x = used.right() + pt(gap + 10);
       place_plots({x, body.y, body.right() - x, body.h});
     } else {
-      const Rect used = place_panes(above, below_grid, widest_gap, gap, 0.5F, 0);
+      const Rect used = place_panes(above, below_grid, widest_gap, 0.5F);
       // What the panes cannot use makes the plots taller, up to a point.
-      const float y = std::max(used.bottom() + pt(gap), body.bottom() - 0.52F * body.h);
-      place_plots({body.x, y, body.w, body.bottom() - y});
+      const float y = used.bottom() + pt(gap);
+      place_plots({body.x, y, body.w, std::min(body.bottom() - y, 0.62F * body.h)});
     }
     return std::move(out_);
   }
@@ -92,41 +94,42 @@ private:
     for (std::size_t columns = 1; columns <= r_.panes; ++columns) {
       const std::size_t rows = (r_.panes + columns - 1) / columns;
       const auto c = static_cast<float>(columns), n = static_cast<float>(rows);
-      const float w = (area.w - (c - 1) * pt(gap)) / c - 2 * pt(pane_padding);
-      const float h = (area.h - (n - 1) * pt(gap)) / n - above_frame() - below_frame() - 2 * pt(pane_padding);
-      const float m = std::min(w / static_cast<float>(r_.domain_width), h / static_cast<float>(r_.domain_height));
-      if (m > best.magnification * 1.0001F) best = {columns, rows, m};
+      const float w = (area.w - (c - 1) * pt(gap)) / c;
+      const float h = (area.h - (n - 1) * pt(gap)) / n - above_frame() - below_frame();
+      const float padding = pt(std::min(w, h) < pt(small_pane) ? small_padding : pane_padding);
+      const float m = std::min((w - 2 * padding) / static_cast<float>(r_.domain_width),
+                               (h - 2 * padding) / static_cast<float>(r_.domain_height));
+      if (m > best.magnification * 1.0001F) best = {columns, rows, m, padding};
     }
     return best;
   }
 
-  [[nodiscard]] float vertical_gap(float spare, float rows, float most) const {
-    return rows > 1 ? std::floor(std::clamp(spare / (rows - 1), pt(gap), pt(most))) : 0;
+  [[nodiscard]] float spread(float spare, float gaps, float most) const {
+    return gaps > 0 ? std::floor(std::clamp(spare / gaps, pt(gap), pt(most))) : 0;
   }
 
-  /// Places the panes, with this share of the free width on their left and of the free height above them, and returns
-  /// the rectangle they use.
-  Rect place_panes(const Rect& area, const Grid& grid, float most_gap_x, float most_gap_y, float horizontal,
-                   float vertical) {
-    const float frame_w = std::floor(grid.magnification * static_cast<float>(r_.domain_width)) + 2 * pt(pane_padding);
-    const float frame_h = std::floor(grid.magnification * static_cast<float>(r_.domain_height)) + 2 * pt(pane_padding);
+  /// Places the panes from the top, with this share of the free width on their left, and returns the rectangle they
+  /// use. A short last row begins at the left as any row of text.
+  Rect place_panes(const Rect& area, const Grid& grid, float most_gap_x, float indent) {
+    out_.padding = grid.padding;
+    const float frame_w = std::floor(grid.magnification * static_cast<float>(r_.domain_width)) + 2 * grid.padding;
+    const float frame_h = std::floor(grid.magnification * static_cast<float>(r_.domain_height)) + 2 * grid.padding;
     const float cell_h = above_frame() + frame_h + below_frame();
     const auto c = static_cast<float>(grid.columns), n = static_cast<float>(grid.rows);
-    const float spare = c > 1 ? (area.w - c * frame_w) / (c - 1) : 0;
-    const float gap_x = std::floor(std::clamp(spare, pt(gap), pt(most_gap_x))),
-                gap_y = vertical_gap(area.h - n * cell_h, n, most_gap_y);
+    const float gap_x = spread(area.w - c * frame_w, c - 1, most_gap_x),
+                gap_y = spread(area.h - n * cell_h, n - 1, most_row_gap);
     const float used_w = c * frame_w + (c - 1) * gap_x, used_h = n * cell_h + (n - 1) * gap_y;
-    const float y0 = std::round(area.y + std::max(0.F, area.h - used_h) * vertical);
-    const float x0 = std::round(area.x + std::max(0.F, area.w - used_w) * horizontal);
+    const float x0 = std::round(area.x + std::max(0.F, area.w - used_w) * indent), y0 = area.y;
     for (std::size_t i = 0; i < r_.panes; ++i) {
-      const std::size_t row = i / grid.columns, in_row = std::min(grid.columns, r_.panes - row * grid.columns);
-      const float indent = static_cast<float>(grid.columns - in_row) * (frame_w + gap_x) / 2; // a short row is centred
-      const float x = std::round(x0 + indent + static_cast<float>(i % grid.columns) * (frame_w + gap_x));
-      const float y = y0 + static_cast<float>(row) * (cell_h + gap_y);
+      const float x = std::round(x0 + static_cast<float>(i % grid.columns) * (frame_w + gap_x));
+      const float y = y0 + static_cast<float>(i / grid.columns) * (cell_h + gap_y);
       PaneBox box;
-      box.title = {x, y, frame_w, above_frame()};
+      // Text may use what is free beside the frame.
+      const float end = indent > 0 ? area.right() : x0 + used_w;
+      const float text_w = std::max(frame_w, std::min(frame_w + gap_x - pt(gap), end - x));
+      box.title = {x, y, text_w, above_frame()};
       box.frame = {x, y + above_frame(), frame_w, frame_h};
-      if (r_.captions) box.caption = {x, box.frame.bottom(), frame_w, below_frame()};
+      if (r_.captions) box.caption = {x, box.frame.bottom(), text_w, below_frame()};
       out_.panes.push_back(box);
     }
     return {x0, y0, used_w, used_h};

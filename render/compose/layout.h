@@ -42,12 +42,11 @@ struct Layout {
   std::vector<PaneBox> panes;
   std::vector<Rect> legend, plots;
   Rect panel, footer;
+  float padding = 0; ///< between a pane's frame and the domain, pixels; less in small panes
 };
 
 /// Pixels of a point for a picture of this size: 1 at 1280x720, never so small that text cannot be read.
 [[nodiscard]] float point_size(int width, int height);
 [[nodiscard]] Layout arrange(const LayoutRequest& request);
-
-constexpr float pane_padding = 5; ///< points between a pane's frame and the domain
 
 } // namespace flipbook::render

@@ -6,6 +6,7 @@
 #include "render/views/domain.h"
 #include "render/views/ticks.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -17,7 +18,7 @@ using gui::Type;
 
 namespace {
 
-constexpr std::size_t most_footer_lines = 3;
+constexpr std::size_t most_warnings = 2;
 constexpr float legend_swatch = 22, legend_space = 24; // points
 
 std::vector<std::vector<float>> all_values(const Frame& frame, const ViewSettings& view) {
@@ -54,7 +55,7 @@ Page::Page(const Frame& frame, const ViewSettings& view, const gui::Fonts& fonts
   r.panel = view.show_panel;
   r.plots = plots_.size();
   r.plot_height = view.plot_height;
-  r.footer_lines = std::min(warnings_.size() + notes_.size(), most_footer_lines);
+  r.footer_lines = footer_lines();
   r.colour_label = std::ceil(fonts.width(Type::body, colour_bar_label(scale_))) + 1;
   r.time = std::ceil(fonts.width(Type::title, time_text(std::max(frame.time, frame.duration)))) + 2;
   if (frame.panes.size() > 1 && !plots_.empty())
@@ -62,15 +63,27 @@ Page::Page(const Frame& frame, const ViewSettings& view, const gui::Fonts& fonts
       r.legend.push_back(std::ceil(fonts.width(Type::small, p.title)) +
                          std::round((legend_swatch + legend_space) * r.scale));
   layout_ = arrange(r);
-  place_domains(std::round(pane_padding * r.scale));
+  place_domains();
+  fit_texts(fonts);
 }
 
-void Page::place_domains(float padding) {
+void Page::fit_texts(const gui::Fonts& fonts) {
+  std::vector<std::string> titles;
+  std::vector<float> widths, legend_widths;
+  for (const Pane& p : frame_.panes) titles.push_back(p.title);
+  for (const PaneBox& p : layout_.panes) widths.push_back(p.title.w);
+  titles_ = fit_titles(fonts, Type::strong, titles, widths);
+  if (layout_.legend.empty()) return;
+  for (const Rect& r : layout_.legend) legend_widths.push_back(r.w - legend_swatch * fonts.scale());
+  legend_ = fit_titles(fonts, Type::small, titles, legend_widths);
+}
+
+void Page::place_domains() {
   for (std::size_t i = 0; i < frame_.panes.size(); ++i) {
     const Snapshot& s = *frame_.panes[i].snapshot;
     const Rect& frame = layout_.panes[i].frame;
     const auto [w, h] = extent(s);
-    const Rect room = frame.inset(padding);
+    const Rect room = frame.inset(layout_.padding);
     const double metre = std::min(static_cast<double>(room.w) / w, static_cast<double>(room.h) / h);
     const auto dw = static_cast<float>(metre * w), dh = static_cast<float>(metre * h);
     const Rect domain{std::round(room.middle_x() - dw / 2), std::round(room.middle_y() - dh / 2), std::round(dw),
@@ -90,13 +103,14 @@ void Page::collect_footer() {
       break;
     }
   }
-  if (view_.arrows) {
-    arrow_speed_ = arrow_speed(frame_);
-    if (arrow_speed_ > 0) notes_.push_back("longest arrow: " + number(arrow_speed_, 3) + " m/s");
-  }
+  if (view_.arrows) arrow_speed_ = arrow_speed(frame_);
   for (const Pane& p : frame_.panes)
     for (const std::string& note : p.snapshot->notes)
       if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) notes_.push_back(note);
+}
+
+std::size_t Page::footer_lines() const {
+  return std::min(warnings_.size(), most_warnings) + (notes_.empty() && !view_.arrows ? 0 : 1);
 }
 
 std::string Page::time_text(double time) const {
@@ -130,9 +144,12 @@ void Page::draw_header(gui::Ink& ink) const {
   draw_colour_bar(ink, layout_.colour_label, layout_.colour_bar, scale_, palette_);
 }
 
-/// The longest form that fits.
-std::string Page::caption(gui::Ink& ink, std::size_t i, float width) const {
+/// The longest form that fits below every pane.
+std::string Page::caption(gui::Ink& ink, std::size_t i) const {
   const Snapshot& s = *frame_.panes[i].snapshot;
+  if (s.steps == 0) return "start";
+  float width = layout_.panes[i].caption.w;
+  for (const PaneBox& p : layout_.panes) width = std::min(width, p.caption.w);
   const Prefix prefix = s.dt >= 1e-5 && s.dt < 1 ? Prefix{1e3, "m"} : si_prefix(s.dt);
   const std::string dt = number(s.dt * prefix.factor, 3) + " " + prefix.letter + "s";
   const std::string steps = grouped(s.steps);
@@ -150,8 +167,8 @@ void Page::draw_pane(gui::Ink& ink, std::size_t i) const {
     if (view_.arrows) draw_arrows(ink, v, palette_, arrow_speed_);
   }
   ink.frame(v.frame, v.colour, std::round(ink.pt(2)), ink.pt(4));
-  ink.text(box.title, Type::strong, palette_.text, frame_.panes[i].title);
-  if (view_.captions) ink.text(box.caption, Type::small, palette_.muted, caption(ink, i, box.caption.w));
+  ink.text(box.title, titles_.type, palette_.text, titles_.text[i]);
+  if (view_.captions) ink.text(box.caption, Type::small, palette_.muted, caption(ink, i));
 }
 
 void Page::draw_legend(gui::Ink& ink) const {
@@ -160,23 +177,25 @@ void Page::draw_legend(gui::Ink& ink) const {
     const float y = std::round(r.middle_y()), swatch = ink.pt(legend_swatch - 6);
     draw_stroke(ink, std::array{gui::Point{r.x, y}, gui::Point{r.x + swatch, y}}, i, palette_);
     const float indent = ink.pt(legend_swatch);
-    ink.text({r.x + indent, r.y, r.w - indent, r.h}, Type::small, palette_.text, frame_.panes[i].title);
+    ink.text({r.x + indent, r.y, r.w - indent, r.h}, Type::small, palette_.text, legend_.text[i]);
   }
 }
 
+/// Warnings first; then one quiet line for the scale of the arrows and the notes.
 void Page::draw_footer(gui::Ink& ink) const {
-  const std::size_t total = warnings_.size() + notes_.size(), shown = std::min(total, most_footer_lines);
-  if (shown == 0) return;
-  const Rect& f = layout_.footer;
-  const float h = f.h / static_cast<float>(shown);
-  for (std::size_t i = 0; i < shown; ++i) {
-    const bool warning = i < warnings_.size();
-    const std::string more =
-        i + 1 == shown && total > shown ? "  (and " + std::to_string(total - shown) + " more)" : "";
-    const std::string& text = warning ? warnings_[i] : notes_[i - warnings_.size()];
-    ink.text({f.x, f.y + static_cast<float>(i) * h, f.w, h}, Type::small, warning ? palette_.warning : palette_.muted,
-             (warning ? "Warning: " : "") + text + more);
+  const std::size_t shown = std::min(warnings_.size(), most_warnings);
+  Rect line = layout_.footer;
+  line.h /= static_cast<float>(std::max<std::size_t>(1, footer_lines()));
+  const auto more = [](std::size_t n) { return n > 0 ? "  (and " + std::to_string(n) + " more)" : ""; };
+  for (std::size_t i = 0; i < shown; ++i, line.y += line.h)
+    ink.text(line, Type::small, palette_.warning,
+             "Warning: " + warnings_[i] + (i + 1 == shown ? more(warnings_.size() - shown) : ""));
+  if (arrow_speed_ > 0) {
+    const float used = draw_arrow_key(ink, line, palette_, arrow_speed_);
+    line.x += used;
+    line.w -= used;
   }
+  if (!notes_.empty()) ink.text(line, Type::small, palette_.muted, notes_[0] + more(notes_.size() - 1));
 }
 
 } // namespace flipbook::render

@@ -3,7 +3,9 @@
 #pragma once
 
 #include "render/compose/layout.h"
+#include "render/compose/titles.h"
 #include "render/views/colour_by.h"
+#include "render/views/domain.h"
 #include "render/views/pane_view.h"
 #include "render/views/plots.h"
 
@@ -24,13 +26,15 @@ public:
   void draw_over(gui::Ink& ink) const;
 
 private:
-  void place_domains(float padding);
+  void place_domains();
   void collect_footer();
+  [[nodiscard]] std::size_t footer_lines() const;
+  void fit_texts(const gui::Fonts& fonts);
   void draw_header(gui::Ink& ink) const;
   void draw_pane(gui::Ink& ink, std::size_t i) const;
   void draw_legend(gui::Ink& ink) const;
   void draw_footer(gui::Ink& ink) const;
-  [[nodiscard]] std::string caption(gui::Ink& ink, std::size_t i, float width) const;
+  [[nodiscard]] std::string caption(gui::Ink& ink, std::size_t i) const;
   [[nodiscard]] std::string time_text(double time) const;
 
   const Frame& frame_;
@@ -43,6 +47,7 @@ private:
   std::vector<std::string> warnings_, notes_;
   Layout layout_;
   std::vector<PaneView> views_;
+  FittedTitles titles_, legend_;
 };
 
 } // namespace flipbook::render

@@ -102,16 +102,31 @@ void draw_value_axis(gui::Ink& ink, const Rect& box, const Axes& axes, const Val
   }
 }
 
-void draw_time_axis(gui::Ink& ink, const Rect& box, const Axes& axes, const Palette& palette) {
-  const Ticks ticks = round_ticks(axes.t.lo, axes.t.hi, std::clamp(static_cast<int>(axes.area.w / ink.pt(42)), 2, 7));
+Ticks time_ticks(const gui::Ink& ink, const Axes& axes) {
+  return round_ticks(axes.t.lo, axes.t.hi, std::clamp(static_cast<int>(axes.area.w / ink.pt(38)), 2, 7));
+}
+
+/// Every number is centred below its tick; the last one carries the unit.
+void draw_time_axis(gui::Ink& ink, const Axes& axes, const Palette& palette) {
+  const Ticks ticks = time_ticks(ink, axes);
   for (const double tick : ticks.at) {
-    // The last one carries the unit.
-    const std::string text = tick_label(tick, ticks.step) + (tick == ticks.at.back() ? " s" : "");
-    const float w = ink.fonts().width(gui::Type::small, text) + 1;
-    const float x = std::clamp(axes.at(tick, 0).x - w / 2, axes.area.x - w / 2, box.right() - w);
-    ink.text({x, axes.area.bottom() + ink.pt(2), w, ink.pt(14)}, gui::Type::small, palette.muted, text,
-             gui::Align::centre);
+    const std::string text = tick_label(tick, ticks.step);
+    const std::string whole = text + (tick == ticks.at.back() ? " s" : "");
+    const float x = axes.at(tick, 0).x - ink.fonts().width(gui::Type::small, text) / 2;
+    ink.text({x, axes.area.bottom() + ink.pt(2), ink.fonts().width(gui::Type::small, whole) + 1, ink.pt(14)},
+             gui::Type::small, palette.muted, whole);
   }
+}
+
+/// Pulls the right end of the axes in until the last number and its unit end in the box, or just outside.
+void make_room_for_unit(const gui::Ink& ink, const Rect& box, Axes& axes) {
+  const Ticks ticks = time_ticks(ink, axes);
+  const auto width = [&](const std::string& text) { return ink.fonts().width(gui::Type::small, text); };
+  const std::string text = tick_label(ticks.at.back(), ticks.step);
+  const float end = axes.at(ticks.at.back(), 0).x - width(text) / 2 + width(text + " s") + 1;
+  const auto share = static_cast<float>((ticks.at.back() - axes.t.lo) / (axes.t.hi - axes.t.lo));
+  const float most = box.right() + ink.pt(7); // half of the gap to the next plot
+  if (end > most && share > 0) axes.area.w -= std::ceil((end - most) / share);
 }
 
 /// At most about two points for each pixel column: the extremes of what falls into it, so that no spike is lost.
@@ -165,19 +180,20 @@ void draw_stroke(gui::Ink& ink, std::span<const gui::Point> points, std::size_t 
 static void draw_plot(gui::Ink& ink, const Rect& box, const Plot& plot, const ValueAxis& axis, float gutter,
                       const Frame& frame, const Palette& palette) {
   const float title_h = std::round(ink.pt(title_height)), time_h = std::round(ink.pt(time_height));
-  const Axes axes{{box.x + gutter, box.y + title_h, box.w - gutter - ink.pt(4), box.h - title_h - time_h},
-                  {0, std::max({frame.duration, frame.time, 1e-9})},
-                  axis.range};
+  Axes axes{{box.x + gutter, box.y + title_h, box.w - gutter - ink.pt(4), box.h - title_h - time_h},
+            {0, std::max({frame.duration, frame.time, 1e-9})},
+            axis.range};
+  make_room_for_unit(ink, box, axes);
   ink.text({box.x, box.y, box.w, std::round(ink.pt(13))}, gui::Type::small, palette.text,
            heading(ink, plot, axis.prefix.letter, box.w));
   draw_value_axis(ink, box, axes, axis, palette);
-  draw_time_axis(ink, box, axes, palette);
+  draw_time_axis(ink, axes, palette);
 
   const float now = std::round(axes.at(frame.time, 0).x) + ink.hair() / 2;
   ink.line({now, axes.area.y}, {now, axes.area.bottom()}, palette.muted.alpha(0.6), ink.hair());
   for (const Plot::Curve& c : plot.curves) {
     const std::vector<gui::Point> points = thinned(c, axes);
-    if (points.empty()) continue;
+    if (points.size() < 2) continue; // nothing has happened yet
     draw_stroke(ink, points, c.pane, palette);
     ink.disc(points.back(), ink.pt(3.6F), palette.page);
     ink.disc(points.back(), ink.pt(2.6F), palette.variant(c.pane));

@@ -111,5 +111,15 @@ TEST(Layout, PanesUseTheSpace) {
   }
 }
 
+TEST(Layout, AShortRowBeginsAtTheLeftAndRowsAreClose) {
+  LayoutRequest r;
+  r.plots = 0;
+  r.panes = 7;
+  const Layout l = render::arrange(r);
+  EXPECT_EQ(l.panes.back().frame.y, l.panes[4].frame.y);
+  EXPECT_EQ(l.panes[4].frame.x, l.panes[0].frame.x);
+  EXPECT_LE(l.panes[4].title.y - l.panes[0].caption.bottom(), 24);
+}
+
 } // namespace
 } // namespace flipbook::test
