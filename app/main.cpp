@@ -5,12 +5,16 @@
 #include "app/session/failure.h"
 #include "sim/frame/errors.h"
 
+#include <algorithm>
 #include <array>
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace flipbook::app {
@@ -33,21 +37,21 @@ const std::array<CommandEntry, 6> table{{
      "Examples:\n  flipbook info frame_000012.png\n  flipbook info frame_000012.png --study -o study.toml", make_info},
 }};
 
-void print_help() {
-  std::cout << "Comparison videos of particle-grid simulations, from one text file, without a display.\n\n"
-               "Usage: flipbook COMMAND [OPTIONS]\n\nCommands:\n";
+void print_help(std::ostream& out) {
+  out << "Comparison videos of particle-grid simulations, from one text file, without a display.\n\n"
+         "Usage: flipbook COMMAND [OPTIONS]\n\nCommands:\n";
   for (const CommandEntry& c : table)
-    std::cout << "  " << c.name << std::string(10 - c.name.size(), ' ') << c.summary << '\n';
-  std::cout << "\nOptions:\n  -h,--help   This text; flipbook COMMAND --help tells more\n"
-               "  --version   Version and build level\n\nStart with: flipbook compare dam_break\n";
+    out << "  " << c.name << std::string(10 - c.name.size(), ' ') << c.summary << '\n';
+  out << "\nOptions:\n  -h,--help   This text; flipbook COMMAND --help tells more\n"
+         "  --version   Version and build level\n\nStart with: flipbook compare dam_break\n";
 }
 
 int run(std::vector<std::string> arguments) {
   if (arguments.empty() || arguments[0] == "--help" || arguments[0] == "-h" || arguments[0] == "help") {
-    print_help();
+    print_help(arguments.empty() ? std::cerr : std::cout);
     return arguments.empty() ? 2 : 0;
   }
-  if (arguments[0] == "--version") {
+  if (std::find(arguments.begin(), arguments.end(), "--version") != arguments.end()) {
     std::cout << "flipbook " << version() << " (" << build_level() << ")\n";
     return 0;
   }
@@ -62,6 +66,16 @@ int run(std::vector<std::string> arguments) {
   }
   throw UserError((name.starts_with("-") ? "unknown option " : "unknown command ") + ("\"" + name + "\""), {},
                   nearest_name(name, names));
+}
+
+/// A result that did not arrive is no result.
+void flush_output() {
+  errno = 0;
+  std::cout.flush();
+  const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
+  if (!written)
+    throw MachineError("cannot write to standard output" +
+                       (errno == 0 ? std::string() : ": " + std::generic_category().message(errno)));
 }
 
 /// Prints what went wrong in one line and says which exit code that is.
@@ -97,7 +111,9 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN); // a closed pipe or a file size limit shows as a failed write, with a message
   std::signal(SIGXFSZ, SIG_IGN);
   try {
-    return flipbook::app::run({argv + 1, argv + argc});
+    const int code = flipbook::app::run({argv + 1, argv + argc});
+    flipbook::app::flush_output();
+    return code;
   } catch (...) {
     return flipbook::app::explain(std::current_exception());
   }

@@ -6,6 +6,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <iostream>
 
 namespace flipbook::app {
@@ -53,6 +54,26 @@ void refuse_extras(const CLI::App& parser) {
   if (parser.remaining_size() > 0) throw UserError("unexpected argument \"" + parser.remaining().front() + "\"");
 }
 
+/// The option that takes a value and got none: none follows, or another option does.
+void refuse_missing_values(const CLI::App& parser, const std::vector<std::string>& arguments) {
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const bool ends = arguments[i].ends_with('='); // --option=
+    const std::string name = arguments[i].substr(0, arguments[i].size() - (ends ? 1 : 0));
+    const CLI::Option* o = name.starts_with("-") ? parser.get_option_no_throw(name) : nullptr;
+    if (!o || o->get_expected_min() == 0) continue;
+    const bool none = ends || i + 1 == arguments.size() || arguments[i + 1].empty() ||
+                      (arguments[i + 1].starts_with("-") && parser.get_option_no_throw(arguments[i + 1]));
+    if (none) throw UserError(name + " needs a value: " + o->get_type_name());
+    ++i;
+  }
+}
+
+void refuse_empty_values(const CLI::App& parser) {
+  for (const CLI::Option* o : parser.get_options())
+    for (const std::string& value : o->results())
+      if (value.empty()) throw UserError(o->get_name() + " needs a value that is not empty");
+}
+
 } // namespace
 
 bool parse_arguments(const CommandEntry& entry, Command& command, std::vector<std::string> arguments) {
@@ -62,6 +83,8 @@ bool parse_arguments(const CommandEntry& entry, Command& command, std::vector<st
   parser.footer(entry.examples);
   Builder builder(parser);
   command.options(builder);
+  const auto is_help = [](const std::string& a) { return a == "--help" || a == "-h"; };
+  if (std::none_of(arguments.begin(), arguments.end(), is_help)) refuse_missing_values(parser, arguments);
   std::vector<std::string> reversed(arguments.rbegin(), arguments.rend()); // the order that CLI11 takes
   try {
     parser.parse(reversed);
@@ -75,6 +98,7 @@ bool parse_arguments(const CommandEntry& entry, Command& command, std::vector<st
     throw UserError(e.what());
   }
   refuse_extras(parser);
+  refuse_empty_values(parser);
   return true;
 }
 

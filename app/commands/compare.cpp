@@ -6,6 +6,8 @@
 #include "sim/frame/errors.h"
 #include "sim/scene/assets.h"
 
+#include <algorithm>
+
 namespace flipbook::app {
 
 namespace {
@@ -23,7 +25,8 @@ public:
   }
 
   int run() override {
-    Study study = find_asset("scenes", scene_) && !is_path(scene_) ? study_of_scene(scene_) : read_study(scene_);
+    const bool scene = find_asset("scenes", scene_) && !is_path(scene_);
+    Study study = options_.applied_to(scene ? study_of_scene(scene_) : read_study(scene_));
     std::vector<Changes> panes = scheme_variants(schemes_.empty() && vary_.empty() ? standard_schemes : schemes_);
     if (panes.empty())
       for (const Variant& v : study.variants) panes.push_back(v.parameters);
@@ -31,19 +34,19 @@ public:
       std::vector<Changes> values = vary_variants(text);
       for (Changes& v : values) complete_cells(v.front(), study);
       if (schemes_.empty()) choose_scheme(panes, study, values.front().front().path);
-      panes = product(panes, values);
+      panes = multiply(panes, values, study);
     }
+    refuse_overlap(study, panes);
+    study.overridden = true; // keys were written for the panes that the study had
     study.variants.clear();
     for (Changes& changes : panes) study.variants.push_back({"", std::move(changes), {}});
     return options_.make_video(std::move(study));
   }
 
 private:
-  /// A number of another scheme than the scene's would change nothing: choose the scheme whose number it is.
+  /// A number that no pane uses, being another scheme's, would change nothing: choose the scheme whose number it is.
   static void choose_scheme(std::vector<Changes>& panes, const Study& study, const std::string& path) {
-    Settings settings = resolve(study).variants.front().scene.settings;
-    for (const Parameter& p : parameters_of(settings))
-      if (p.path == path && p.applies) return;
+    if (std::any_of(panes.begin(), panes.end(), [&](const Changes& pane) { return uses(study, pane, path); })) return;
     for (const SchemeInfo& s : scheme_infos()) {
       if (!s.first || s.first->path != path) continue;
       for (Changes& pane : panes) pane.push_back({"transfer.scheme", std::string(s.name), {"--vary", 0, 0}});

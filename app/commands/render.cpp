@@ -12,7 +12,7 @@ public:
     v.positional("STUDY", study_, "Name or path of a study or a scene");
     options_.describe(v);
   }
-  int run() override { return options_.make_video(read_study(study_)); }
+  int run() override { return options_.make_video(options_.applied_to(read_study(study_))); }
 
 private:
   std::string study_;

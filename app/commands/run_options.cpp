@@ -4,21 +4,35 @@
 #include "app/commands/outputs.h"
 #include "app/commands/variants.h"
 #include "app/encode/staging.h"
+#include "app/study/memory.h"
 #include "sim/frame/errors.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <iostream>
+#include <thread>
 
 namespace flipbook::app {
 
 namespace {
 
-/// "1280x720" as the list "1280,720".
-std::string comma_list(std::string text) {
-  std::replace(text.begin(), text.end(), 'x', ',');
-  return text;
+/// "1280x720" as the numbers 1280 and 720; a single number as itself.
+Value parse_extent(const std::string& text, const std::string& option, const std::string& wanted) {
+  std::vector<double> numbers;
+  std::string word;
+  for (const char c : text + "x") {
+    if (c != 'x' && c != 'X' && c != ',') {
+      word += c;
+      continue;
+    }
+    const bool digits = !word.empty() && word.size() < 10 &&
+                        std::all_of(word.begin(), word.end(), [](char d) { return d >= '0' && d <= '9'; });
+    if (!digits) throw UserError(option + " " + text + ": it is " + wanted);
+    numbers.push_back(std::stod(word));
+    word.clear();
+  }
+  return numbers.size() == 1 ? Value(numbers.front()) : Value(numbers);
 }
 
 render::Backend parse_backend(const std::string& name) {
@@ -29,24 +43,30 @@ render::Backend parse_backend(const std::string& name) {
   return backends[static_cast<std::size_t>(at - names.begin())];
 }
 
+void print_warnings(const std::vector<std::string>& warnings) {
+  for (const std::string& w : warnings) std::cerr << "warning: " << w << '\n';
+}
+
 void report(const Summary& s) {
-  for (const std::string& w : s.warnings) std::cerr << "warning: " << w << '\n';
+  print_warnings(s.warnings);
   const double seconds = std::max(s.seconds, 1e-3);
   char text[256];
-  std::snprintf(text, sizeof text, "%llu pictures in %.1f s (%.1f a second), %.2f million particle-steps/s",
-                static_cast<unsigned long long>(s.pictures), s.seconds, static_cast<double>(s.pictures) / seconds,
-                1e-6 * static_cast<double>(s.particle_steps) / seconds);
+  std::snprintf(text, sizeof text, "%llu picture%s in %.1f s (%.1f a second), %.2f million particle-steps/s",
+                static_cast<unsigned long long>(s.pictures), s.pictures == 1 ? "" : "s", s.seconds,
+                static_cast<double>(s.pictures) / seconds, 1e-6 * static_cast<double>(s.particle_steps) / seconds);
   std::cerr << text;
   std::cerr << "; " << s.least_steps;
   if (s.most_steps != s.least_steps) std::cerr << " to " << s.most_steps;
-  std::snprintf(text, sizeof text, " steps of %.3g to %.3g s; drawn with %s\n", s.least_dt, s.most_dt,
-                s.context.c_str());
+  std::snprintf(text, sizeof text,
+                s.most_steps == 1 ? " step of %.3g to %.3g s; drawn with %s\n"
+                                  : " steps of %.3g to %.3g s; drawn with %s\n",
+                s.least_dt, s.most_dt, s.context.c_str());
   std::cerr << (s.most_steps > 0 ? text : " steps; drawn with " + s.context + "\n");
 }
 
 } // namespace
 
-void RunOptions::describe(OptionVisitor& v) {
+void RunOptions::describe(OptionVisitor& v, const std::string& outputs) {
   v.texts("--set", sets_, "PATH=VALUE", "Give a parameter a value (flipbook list parameters); may be repeated");
   v.text("--dim", dim_, "2|3", "Dimension");
   v.text("--cells", cells_, "N[xN]", "Cells along x (and along the other axes)");
@@ -56,37 +76,49 @@ void RunOptions::describe(OptionVisitor& v) {
   v.text("--size", size_, "WxH", "Width and height of a picture in pixels");
   v.text("--precision", precision_, "single|double", "Numbers that the solvers compute with");
   v.text("--threads", threads_, "N", "How many threads compute; the pictures do not depend on it");
-  v.text("--gl", gl_, "auto|osmesa|egl", "What draws");
-  v.texts("-o,--output", outputs_, "X.mp4|FOLDER/",
-          "A video, or a folder for PNG pictures; may be repeated (out/ if not given)");
+  v.text("--gl", gl_, "auto|osmesa|egl", "What draws; auto if not given: the first that works");
+  v.texts("-o,--output", outputs_, outputs,
+          (outputs.find(".mp4") != std::string::npos ? "A video" : "A single picture") +
+              std::string(", or a folder for PNG pictures; may be repeated (out/ if not given)"));
   v.text("--save-study", save_study_, "FILE", "Write what was run as a study");
   v.flag("-q,--quiet", quiet_, "Print nothing but the paths of the results");
 }
 
-void RunOptions::apply(Study& study) const {
-  struct Short {
-    std::string option, path, value;
+std::vector<Assignment> RunOptions::changes() const {
+  std::vector<Assignment> all;
+  for (const std::string& text : sets_) all.push_back(parse_assignment(text, "--set"));
+  const auto add = [&](const std::string& option, const std::string& path, Value value) {
+    all.push_back({path, std::move(value), {option, 0, 0}});
   };
-  const std::array<Short, 7> all{{{"--dim", "dim", dim_},
-                                  {"--cells", "grid.cells", comma_list(cells_)},
-                                  {"--frames", "output.frames", frames_},
-                                  {"--duration", "output.duration", duration_},
-                                  {"--fps", "output.fps", fps_},
-                                  {"--size", "output.size", comma_list(size_)},
-                                  {"--precision", "precision", precision_}}};
-  const auto change = [&](const std::string& text, const std::string& option) {
-    Assignment a = parse_assignment(text, option);
+  if (!dim_.empty()) add("--dim", "dim", parse_value(dim_));
+  if (!cells_.empty()) add("--cells", "grid.cells", parse_extent(cells_, "--cells", "N or NxN, for example 128x64"));
+  if (!frames_.empty()) add("--frames", "output.frames", parse_number(frames_, "--frames", 1, 1e6));
+  if (!duration_.empty()) add("--duration", "output.duration", parse_number(duration_, "--duration", 1e-6, 1e6));
+  if (!fps_.empty()) add("--fps", "output.fps", parse_value(fps_));
+  if (!size_.empty())
+    add("--size", "output.size", parse_extent(size_, "--size", "WxH in pixels, for example 1280x720"));
+  if (!precision_.empty()) add("--precision", "precision", precision_);
+  return all;
+}
+
+Study RunOptions::applied_to(Study study) const {
+  std::vector<Assignment> all = changes();
+  if (!all.empty()) {
+    try {
+      pin_keys(study);
+    } catch (const UserError&) { // the study has mistakes, which may be what the options put right
+    }
+  }
+  for (Assignment& a : all) {
     complete_cells(a, study);
     assign(study, std::move(a));
-  };
-  for (const std::string& text : sets_) change(text, "--set");
-  for (const Short& s : all)
-    if (!s.value.empty()) change(s.path + "=" + s.value, s.option);
+  }
+  return study;
 }
 
 SessionOptions RunOptions::session_options() const {
   SessionOptions options;
-  if (!threads_.empty()) options.threads = static_cast<int>(parse_number(threads_, "--threads", 1, 1024));
+  options.threads = parse_threads(threads_);
   options.gl = parse_backend(gl_);
   options.quiet = quiet_;
   return options;
@@ -98,7 +130,8 @@ int RunOptions::make_video(Study study) const {
     return video_sinks(named, r, toml);
   };
   return run(
-      std::move(study), [](const Resolved& r) { return Schedule::video(r.output.fps, r.scale, r.frames); }, video);
+      std::move(study), [](const Resolved& r) { return Schedule::video(r.output.fps, r.scale, r.frames); }, video,
+      true);
 }
 
 int RunOptions::make_stills(Study study, const std::vector<double>& times) const {
@@ -107,18 +140,23 @@ int RunOptions::make_stills(Study study, const std::vector<double>& times) const
     return still_sinks(named, r, times.size());
   };
   return run(
-      std::move(study), [&](const Resolved& r) { return Schedule::stills(r.output.fps, r.scale, times); }, stills);
+      std::move(study), [&](const Resolved& r) { return Schedule::stills(r.output.fps, r.scale, times); }, stills,
+      false);
 }
 
-int RunOptions::run(Study study, const MakeSchedule& make_schedule, const MakeSinks& make_sinks) const {
-  apply(study);
+int RunOptions::run(Study study, const MakeSchedule& make_schedule, const MakeSinks& make_sinks, bool video) const {
   const SessionOptions options = session_options();
   const Resolved resolved = resolve(study);
+  refuse_too_large(resolved);
+  std::vector<std::string> warnings = drop_idle_keys(study, resolved);
+  if (video)
+    for (std::string& w : late_keys(study, resolved)) warnings.push_back(std::move(w));
   const std::string toml = to_toml(study);
   if (!save_study_.empty()) write_file(save_study_, toml);
   std::vector<std::unique_ptr<Sink>> sinks = make_sinks(resolved, toml);
   std::vector<std::string> paths;
   for (const auto& sink : sinks) paths.push_back(sink->path().string());
+  if (!quiet_) print_warnings(warnings);
   const Summary summary = run_session(resolved, toml, make_schedule(resolved), std::move(sinks), options);
   if (!quiet_) report(summary);
   for (const std::string& path : paths) std::cout << path << '\n';
@@ -131,6 +169,11 @@ double parse_number(const std::string& text, const std::string& option, double l
   if (!x || !(*x >= lo && *x <= hi))
     throw UserError(option + " " + text + ": it is a number from " + to_toml(Value(lo)) + " to " + to_toml(Value(hi)));
   return *x;
+}
+
+int parse_threads(const std::string& text) {
+  if (text.empty()) return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return static_cast<int>(parse_number(text, "--threads", 1, 1024));
 }
 
 } // namespace flipbook::app

@@ -16,9 +16,12 @@ namespace flipbook::app {
 
 class RunOptions {
 public:
-  void describe(OptionVisitor& v);
+  /// `outputs` says what -o may be.
+  void describe(OptionVisitor& v, const std::string& outputs = "X.mp4|FOLDER/");
 
-  /// Applies the options to a study and runs it as a video or frames.
+  /// The study with what the options change of it.
+  [[nodiscard]] Study applied_to(Study study) const;
+  /// Runs it as a video or frames.
   int make_video(Study study) const;
   /// The same as single pictures at the given times.
   int make_stills(Study study, const std::vector<double>& times) const;
@@ -26,8 +29,8 @@ public:
 private:
   using MakeSchedule = std::function<Schedule(const Resolved&)>;
   using MakeSinks = std::function<std::vector<std::unique_ptr<Sink>>(const Resolved&, const std::string& toml)>;
-  int run(Study study, const MakeSchedule& make_schedule, const MakeSinks& make_sinks) const;
-  void apply(Study& study) const;
+  int run(Study study, const MakeSchedule& make_schedule, const MakeSinks& make_sinks, bool video) const;
+  [[nodiscard]] std::vector<Assignment> changes() const;
   [[nodiscard]] SessionOptions session_options() const;
 
   std::vector<std::string> sets_, outputs_;
@@ -37,5 +40,8 @@ private:
 
 /// A number between lo and hi, or a UserError that names the option.
 [[nodiscard]] double parse_number(const std::string& text, const std::string& option, double lo, double hi);
+
+/// The value of --threads; as many as the machine has if it is empty.
+[[nodiscard]] int parse_threads(const std::string& text);
 
 } // namespace flipbook::app

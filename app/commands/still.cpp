@@ -13,14 +13,14 @@ public:
   void options(OptionVisitor& v) override {
     v.positional("STUDY", study_, "Name or path of a study or a scene");
     v.text("--at", at_, "T,T,...", "Times in simulated seconds");
-    options_.describe(v);
+    options_.describe(v, "X.png|FOLDER/");
   }
   int run() override {
     if (at_.empty()) throw UserError("still needs times, for example --at 0.4,0.8");
     constexpr double longest = 1e4;
     std::vector<double> times;
     for (const std::string& t : split_list(at_, "--at")) times.push_back(parse_number(t, "--at", 0, longest));
-    return options_.make_stills(read_study(study_), times);
+    return options_.make_stills(options_.applied_to(read_study(study_)), times);
   }
 
 private:

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands/variants.h"
 
+#include "app/study/paths.h"
 #include "app/study/resolve.h"
 #include "sim/frame/errors.h"
 #include "sim/transfer/schemes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -35,9 +37,11 @@ std::vector<std::string> split_list(std::string_view text, const std::string& op
     }
     parts.back() += c;
   }
-  for (const std::string& p : parts)
-    if (p.find_first_not_of(' ') == std::string::npos)
-      throw UserError(option + " " + std::string(text) + ": an entry is empty");
+  for (std::string& p : parts) {
+    const std::size_t begin = p.find_first_not_of(' ');
+    if (begin == std::string::npos) throw UserError(option + " " + std::string(text) + ": an entry is empty");
+    p = p.substr(begin, p.find_last_not_of(' ') + 1 - begin);
+  }
   return parts;
 }
 
@@ -65,23 +69,55 @@ std::vector<Changes> vary_variants(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0)
     throw UserError(option + " wants path=value,value,... and not \"" + text + "\"");
+  const std::string path = text.substr(0, equals), values = text.substr(equals + 1);
+  if (const Refusal r = check_pane_path(path); !r.message.empty())
+    throw UserError(option + ": " + r.message, {}, r.nearest);
+  if (values.find_first_not_of(' ') == std::string::npos)
+    throw UserError(option + " " + text + ": it has no values; write " + path + "=value,value,...");
   std::vector<Changes> variants;
-  for (const std::string& value : split_list(std::string_view(text).substr(equals + 1), option))
-    variants.push_back({from_command_line(text.substr(0, equals), parse_value(value), option)});
+  for (const std::string& value : split_list(values, option))
+    variants.push_back({from_command_line(path, parse_value(value), option)});
   return variants;
 }
 
-std::vector<Changes> product(const std::vector<Changes>& a, const std::vector<Changes>& b) {
-  if (a.size() * b.size() > most_variants)
-    throw UserError(std::to_string(a.size() * b.size()) + " panes; a frame has at most " +
-                    std::to_string(most_variants));
+bool uses(Study study, const Changes& pane, const std::string& path) {
+  study.variants = {{"", pane, {}}};
+  study.keys.clear();
+  Settings settings = resolve(study).variants.front().scene.settings;
+  const std::vector<Parameter> all = parameters_of(settings);
+  return std::any_of(all.begin(), all.end(), [&](const Parameter& p) { return p.path == path && p.applies; });
+}
+
+std::vector<Changes> multiply(const std::vector<Changes>& panes, const std::vector<Changes>& values,
+                              const Study& study) {
+  const std::string& path = values.front().front().path;
   std::vector<Changes> all;
-  for (const Changes& x : a)
-    for (const Changes& y : b) {
-      all.push_back(x);
-      all.back().insert(all.back().end(), y.begin(), y.end());
+  bool used = false;
+  for (const Changes& pane : panes) {
+    if (!uses(study, pane, path)) {
+      all.push_back(pane);
+      continue;
     }
+    used = true;
+    for (const Changes& value : values) {
+      all.push_back(pane);
+      all.back().insert(all.back().end(), value.begin(), value.end());
+    }
+  }
+  if (!used) throw UserError("--vary " + path + ": no pane uses it");
+  if (all.size() > most_variants)
+    throw UserError(std::to_string(all.size()) + " panes; a frame has at most " + std::to_string(most_variants));
   return all;
+}
+
+void refuse_overlap(const Study& study, const std::vector<Changes>& panes) {
+  const auto from_options = [](const Assignment& a) { return a.where.file.starts_with("--"); };
+  for (const Assignment& all : study.parameters)
+    for (const Changes& pane : panes)
+      for (const Assignment& one : pane)
+        if (from_options(all) && from_options(one) && all.path == one.path)
+          throw UserError(all.where.file + " gives " + all.path + " one value, but the panes differ in it (" +
+                          one.where.file + ")");
 }
 
 void complete_cells(Assignment& change, const Study& study) {

@@ -19,8 +19,16 @@ using Changes = std::vector<Assignment>;
 /// `path=v1,v2,...`: one variant for each value.
 [[nodiscard]] std::vector<Changes> vary_variants(const std::string& text);
 
-/// Every one of `a` with every one of `b`, the last varying fastest. Throws UserError for more than a frame can show.
-[[nodiscard]] std::vector<Changes> product(const std::vector<Changes>& a, const std::vector<Changes>& b);
+/// Has a parameter an effect in this pane?
+[[nodiscard]] bool uses(Study study, const Changes& pane, const std::string& path);
+
+/// Each pane with each of the values of one parameter, the values varying fastest; a pane where the parameter has no
+/// effect stays one. Throws UserError where it has none in all of them, and for more than a frame can show.
+[[nodiscard]] std::vector<Changes> multiply(const std::vector<Changes>& panes, const std::vector<Changes>& values,
+                                            const Study& study);
+
+/// Throws UserError where an option gives all panes a value of what other options made them differ in.
+void refuse_overlap(const Study& study, const std::vector<Changes>& panes);
 
 /// The parts between commas; those inside [] and quotes belong to their part. Throws UserError for an empty one.
 [[nodiscard]] std::vector<std::string> split_list(std::string_view text, const std::string& option);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // flipbook verify: the propositions about what the transfers conserve, measured; and transfers that must fail them.
 #include "app/commands/command.h"
+#include "app/commands/run_options.h"
 #include "sim/core/parallel.h"
 #include "sim/diagnostics/propositions.h"
 #include "sim/frame/errors.h"
@@ -11,7 +12,6 @@
 #include <cstdio>
 #include <iostream>
 #include <strings.h>
-#include <thread>
 #include <tuple>
 
 namespace flipbook::app {
@@ -90,12 +90,13 @@ void print_json(const std::vector<PropositionResult>& results) {
 class Verify final : public Command {
 public:
   void options(OptionVisitor& v) override {
-    v.text("--only", only_, "NAME", "Only these: 5.4, rpic, quadratic, mac, ...");
+    v.text("--only", only_, "NAME", "Only these: 5.4, rpic, quadratic, mac, angular, ...");
+    v.text("--threads", threads_, "N", "How many threads compute; the results do not depend on it");
     v.flag("--json", json_, "Print every case as JSON");
   }
 
   int run() override {
-    Budget budget(std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+    Budget budget(parse_threads(threads_));
     const Budget::Permit permit(budget);
     Pool pool(budget);
     auto results = run_propositions({}, pool);
@@ -110,10 +111,14 @@ public:
   }
 
 private:
-  /// Is `only_` the beginning of the case's proposition or of a name in it? Case does not matter.
+  /// Is `only_` the beginning of the case's proposition, of a name in it, or of a word of what it states? Case does not
+  /// matter.
   [[nodiscard]] bool chosen(const PropositionResult& r) const {
-    for (const std::string& name : {r.id, r.scheme, r.kernel, r.layout})
-      if (strncasecmp(name.c_str(), only_.c_str(), only_.size()) == 0) return true;
+    const auto begins = [&](const char* text) { return strncasecmp(text, only_.c_str(), only_.size()) == 0; };
+    for (const std::string& name : {r.id, r.scheme, r.kernel, r.layout, r.statement})
+      if (begins(name.c_str())) return true;
+    for (std::size_t at = r.statement.find(' '); at != std::string::npos; at = r.statement.find(' ', at + 1))
+      if (begins(r.statement.c_str() + at + 1)) return true;
     return false;
   }
 
@@ -128,7 +133,7 @@ private:
     std::printf("\n%zu cases, %td failed\n", results.size(), failed);
   }
 
-  std::string only_;
+  std::string only_, threads_;
   bool json_ = false;
 };
 

@@ -30,8 +30,8 @@ TextEntries text_entries(const Provenance& p) {
   return {{"flipbook:version", version() + " " + build_level()},
           {"flipbook:frame", std::to_string(p.frame)},
           {"flipbook:time", to_toml(Value(p.time))},
-          {"flipbook:seed", std::to_string(p.run->seed)},
-          {"flipbook:variants", p.run->variants},
+          {"flipbook:seed", p.run->seeds},
+          {"flipbook:variants", p.variants},
           {"flipbook:study", p.run->study}};
 }
 

@@ -13,15 +13,15 @@ namespace flipbook::app {
 
 /// The part that all pictures of a run share.
 struct RunProvenance {
-  std::string study;    ///< the full study as TOML
-  std::string variants; ///< pane titles at the start, one a line
-  int seed = 0;
+  std::string study; ///< the full study as TOML
+  std::string seeds; ///< "1", or the seed of each pane where they differ: "1, 2, 3"
 };
 
 struct Provenance {
   std::shared_ptr<const RunProvenance> run;
   std::uint64_t frame = 0;
-  double time = 0; ///< seconds simulated
+  double time = 0;      ///< seconds simulated
+  std::string variants; ///< pane titles in this picture, one a line
 };
 
 using TextEntries = std::vector<std::pair<std::string, std::string>>;

@@ -31,7 +31,7 @@ std::size_t Bundle::bytes() const {
 
 Driver::Driver(const Resolved& resolved, const Schedule& schedule, Budget& budget, Exchange<Bundle>& out,
                std::function<bool()> stop)
-    : resolved_(resolved), request_(resolved.view.request()),
+    : resolved_(resolved), request_(resolved.request()),
       commands_(resolved.timeline.commands(resolved.output.fps, resolved.scale, schedule.boundaries())),
       schedule_(schedule), budget_(budget), out_(out), stop_(std::move(stop)) {}
 

@@ -4,6 +4,7 @@
 #include "app/panel/panel.h"
 #include "app/session/driver.h"
 #include "app/session/failure.h"
+#include "app/session/identical.h"
 #include "app/session/progress.h"
 #include "app/session/sink_thread.h"
 #include "app/study/titles.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <span>
 #include <thread>
 
 namespace flipbook::app {
@@ -22,17 +24,15 @@ int thread_count(int asked) {
   return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-/// What all pictures of the run say: the titles are those at the start.
+/// What all pictures of the run say.
 std::shared_ptr<const RunProvenance> describe_run(const Resolved& resolved, const std::string& study) {
-  std::vector<TitledPane> panes;
-  for (const ResolvedVariant& v : resolved.variants) {
-    Settings settings = v.scene.settings;
-    panes.push_back({v.label, settings.transfer.title(), parameters_of(settings)});
-  }
   auto run = std::make_shared<RunProvenance>();
   run->study = study;
-  for (const std::string& title : pane_titles(panes)) run->variants += (run->variants.empty() ? "" : "\n") + title;
-  run->seed = resolved.variants.front().scene.settings.seeding.seed;
+  const auto seed = [](const ResolvedVariant& v) { return v.scene.settings.seeding.seed; };
+  const auto& all = resolved.variants;
+  const bool same = std::all_of(all.begin(), all.end(), [&](auto& v) { return seed(v) == seed(all.front()); });
+  for (const ResolvedVariant& v : std::span(all).first(same ? 1 : all.size()))
+    run->seeds += (run->seeds.empty() ? "" : ", ") + std::to_string(seed(v));
   return run;
 }
 
@@ -93,16 +93,18 @@ private:
   void draw(const Bundle& bundle, render::Renderer& renderer) {
     const render::Frame frame = compose(bundle);
     auto picture = std::make_shared<Picture>();
-    picture->provenance = {provenance_, bundle.stop.frame, bundle.stop.time};
+    picture->provenance = {provenance_, bundle.stop.frame, bundle.stop.time, {}};
+    for (const render::Pane& pane : frame.panes)
+      picture->provenance.variants += (&pane == frame.panes.data() ? "" : "\n") + pane.title;
     {
       const Budget::Permit permit(budget_, true);
-      picture->image = renderer.draw(frame, resolved_.view);
+      picture->image = renderer.draw(frame, resolved_.timeline.view(bundle.stop.time, resolved_.view));
     }
     for (auto& s : sinks_) s->put(picture);
     summarise(bundle, frame);
   }
 
-  [[nodiscard]] render::Frame compose(const Bundle& bundle) const {
+  [[nodiscard]] render::Frame compose(const Bundle& bundle) {
     render::Frame frame;
     frame.title = resolved_.title;
     frame.time = bundle.stop.time;
@@ -113,20 +115,8 @@ private:
     const std::vector<std::string> titles = pane_titles(panes);
     for (std::size_t i = 0; i < titles.size(); ++i) frame.panes.push_back({titles[i], bundle.snapshots[i]});
     frame.pointer = resolved_.timeline.pointer_targets(bundle.stop.time, resolved_.scale);
-    frame.warnings = identical_panes(bundle);
+    frame.warnings = identical_.warnings(bundle.snapshots);
     return frame;
-  }
-
-  /// Two panes whose particles agree to the last bit after some steps compare a scheme with itself.
-  static std::vector<std::string> identical_panes(const Bundle& bundle) {
-    std::vector<std::string> warnings;
-    const auto& s = bundle.snapshots;
-    for (std::size_t i = 0; i < s.size(); ++i)
-      for (std::size_t j = i + 1; j < s.size(); ++j)
-        if (s[i]->steps > 0 && s[j]->steps > 0 && s[i]->x == s[j]->x && s[i]->v == s[j]->v)
-          warnings.push_back("panes " + std::to_string(i + 1) + " and " + std::to_string(j + 1) +
-                             " show identical particles");
-    return warnings;
   }
 
   void summarise(const Bundle& bundle, const render::Frame& frame) {
@@ -157,6 +147,7 @@ private:
   Exchange<Bundle> exchange_{bundle_queue_bytes};
   Driver driver_;
   std::vector<std::unique_ptr<SinkThread>> sinks_;
+  IdenticalPanes identical_;
   Summary summary_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "app/study/study.h"
 
+#include "app/study/paths.h"
 #include "sim/scene/assets.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <span>
 
 namespace flipbook::app {
 namespace {
@@ -44,13 +46,28 @@ Ease read_ease(TableReader& table) {
   return Ease::smooth;
 }
 
+/// `variant = "FLIP 0.97"`, `variant = 2` or `variant = [2, 3]`.
+void read_variant_of(TableReader& table, Key& key, Mistakes& mistakes) {
+  const Node* node = table.optional("variant");
+  if (!node) return;
+  const bool list = node->type == Node::Type::list && !node->items.empty();
+  if (node->type == Node::Type::text) key.variant = node->text;
+  for (const Node& n : list ? std::span(node->items) : std::span(node, 1)) {
+    if (n.type == Node::Type::number && n.number == std::floor(n.number) && n.number >= 1 && n.number <= most_variants)
+      key.panes.push_back(static_cast<int>(n.number));
+    else if (key.variant.empty())
+      return mistakes.add("\"variant\" must be a name, or a number from 1 to " + std::to_string(most_variants),
+                          node->where);
+  }
+}
+
 void read_key(const Node& node, Study& study, Mistakes& mistakes) {
   TableReader table(node, "a key", mistakes);
   Key key;
   key.t = table.number("t", 0, longest, std::nullopt);
   key.over = table.number("over", 0, longest, 0.0);
   key.ease = read_ease(table);
-  key.variant = table.text("variant", "");
+  read_variant_of(table, key, mistakes);
   if (!study.keys.empty() && key.t < study.keys.back().t && node.find("t"))
     mistakes.add("keys must be in the order of their times: t = " + to_toml(Value(key.t)) +
                      " comes after t = " + to_toml(Value(study.keys.back().t)),
@@ -101,8 +118,13 @@ void read_scene_of(const Node& root, Study& study, const std::string& file, Mist
     } catch (const UserError& error) {
       // An error inside the scene's file has its own place; that there is no such scene belongs to this line.
       if (find_asset("scenes", scene->text, std::filesystem::path(file).parent_path().string())) throw;
-      mistakes.add(error.what(), scene->where);
+      if (find_asset("studies", scene->text))
+        mistakes.add("\"" + scene->text + "\" is a study; a scene is wanted here (flipbook list scenes)", scene->where);
+      else
+        mistakes.add(error.what(), scene->where);
     }
+    if (study.scene.table.find("scene") || study.scene.table.find("variant"))
+      mistakes.add("\"" + scene->text + "\" is a study; a scene is wanted here (flipbook list scenes)", scene->where);
   } else {
     mistakes.add("\"scene\" must be the name of a scene, a path or a table", scene->where);
   }
@@ -118,8 +140,7 @@ Study from_tree(const Node& root, const std::string& file) {
   read_variants(root, study, mistakes);
   for (const Node* node : tables(root.find("key"), "key", mistakes)) read_key(*node, study, mistakes);
   for (Assignment& a : parameters(root, {"title", "scene", "variant", "key"}, mistakes)) {
-    const bool view = a.path.starts_with("view."), output = a.path.starts_with("output.");
-    (view ? study.view : output ? study.output : study.parameters).push_back(std::move(a));
+    (is_view(a.path) ? study.view : is_output(a.path) ? study.output : study.parameters).push_back(std::move(a));
   }
   mistakes.raise();
   return study;
@@ -164,9 +185,12 @@ std::vector<std::string> list_studies() {
 void assign(Study& study, Assignment change) {
   // A range belongs to the quantity that it was written for.
   if (change.path == "view.colour") std::erase_if(study.view, [](auto& a) { return a.path == "view.range"; });
-  const bool view = change.path.starts_with("view."), output = change.path.starts_with("output.");
+  study.overridden = true;
   for (Variant& v : study.variants) std::erase_if(v.parameters, [&](auto& a) { return a.path == change.path; });
-  (view ? study.view : output ? study.output : study.parameters).push_back(std::move(change));
+  (is_view(change.path)     ? study.view
+   : is_output(change.path) ? study.output
+                            : study.parameters)
+      .push_back(std::move(change));
 }
 
 } // namespace flipbook::app

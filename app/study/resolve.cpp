@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/study/resolve.h"
 
+#include "app/study/paths.h"
 #include "app/study/titles.h"
 
 #include <algorithm>
@@ -16,10 +17,30 @@ template <Described T> void apply_to(T& component, std::span<const Assignment> a
       mistakes.add(r.message, a.where, r.nearest);
 }
 
+const std::vector<std::string> keys_of_a_study{"title", "scene", "variant", "key"}, keys_of_a_variant{"label"};
+
+using CheckPath = Refusal (*)(const std::string&, std::span<const std::string>);
+
+/// Those whose path may stand here; the others are mistakes.
+std::vector<Assignment> checked(std::span<const Assignment> all, CheckPath check, const std::vector<std::string>& own,
+                                Mistakes& mistakes) {
+  std::vector<Assignment> good;
+  for (const Assignment& a : all) {
+    const bool in_file = a.where.line > 0; // the command line has no other keys
+    const Refusal r = check(a.path, in_file ? std::span(own) : std::span<const std::string>{});
+    if (r.message.empty())
+      good.push_back(a);
+    else
+      mistakes.add(r.message, a.where, r.nearest);
+  }
+  return good;
+}
+
 void resolve_variants(const Study& study, Resolved& resolved, Mistakes& mistakes) {
   for (const Variant& v : study.variants) {
-    std::vector<Assignment> changes = study.parameters;
-    changes.insert(changes.end(), v.parameters.begin(), v.parameters.end());
+    std::vector<Assignment> changes = checked(study.parameters, check_path, keys_of_a_study, mistakes);
+    const auto own = checked(v.parameters, check_pane_path, keys_of_a_variant, mistakes);
+    changes.insert(changes.end(), own.begin(), own.end());
     resolved.variants.push_back({v.label, make_scene(study.scene, changes, mistakes)});
   }
   for (const ResolvedVariant& v : resolved.variants)
@@ -45,6 +66,28 @@ std::vector<KeyTarget> key_targets(const Resolved& resolved) {
   return targets;
 }
 
+/// The view of the scene, and over it that of the study.
+void resolve_view(const Study& study, Resolved& resolved, Mistakes& mistakes) {
+  std::vector<Assignment> all = checked(resolved.variants.front().scene.view, check_path, {}, mistakes);
+  apply_to(resolved.view, all, mistakes);
+  const int colour_of_scene = resolved.view.colour;
+  const auto range_of_scene = std::exchange(resolved.view.range, {0, 0});
+  const std::vector<Assignment> own = checked(study.view, check_path, {}, mistakes);
+  apply_to(resolved.view, own, mistakes);
+  // The scene's range belongs to the quantity that the scene shows.
+  const bool ranged = std::any_of(own.begin(), own.end(), [](auto& a) { return a.path == "view.range"; });
+  if (!ranged && resolved.view.colour == colour_of_scene) resolved.view.range = range_of_scene;
+  const ViewMistake mistake = check_view(resolved.view);
+  if (mistake.path.empty()) return;
+  all.insert(all.end(), own.begin(), own.end());
+  const auto at = std::find_if(all.rbegin(), all.rend(), [&](auto& a) { return a.path == mistake.path; });
+  mistakes.add(mistake.refusal.message, at == all.rend() ? Location{} : at->where, mistake.refusal.nearest);
+}
+
+std::string counted(std::size_t n, const std::string& one, const std::string& many) {
+  return std::to_string(n) + " " + (n == 1 ? one : many);
+}
+
 } // namespace
 
 Resolved resolve(const Study& study) {
@@ -57,17 +100,11 @@ Resolved resolve(const Study& study) {
   resolve_variants(study, resolved, mistakes);
   const Scene& scene = resolved.variants.front().scene;
   resolved.title = study.title.empty() ? scene.summary : study.title;
-  apply_to(resolved.view, scene.view, mistakes);
-  const int colour_of_scene = resolved.view.colour;
-  const auto range_of_scene = std::exchange(resolved.view.range, {0, 0});
-  apply_to(resolved.view, study.view, mistakes);
-  // The scene's range belongs to the quantity that the scene shows.
-  const bool ranged = std::any_of(study.view.begin(), study.view.end(), [](auto& a) { return a.path == "view.range"; });
-  if (!ranged && resolved.view.colour == colour_of_scene) resolved.view.range = range_of_scene;
-  apply_to(resolved.output, study.output, mistakes);
+  resolve_view(study, resolved, mistakes);
+  apply_to(resolved.output, checked(study.output, check_path, {}, mistakes), mistakes);
   mistakes.raise();
 
-  resolved.timeline = Timeline(study.keys, key_targets(resolved), mistakes);
+  resolved.timeline = Timeline(study.keys, key_targets(resolved), resolved.view, study.overridden, mistakes);
   mistakes.raise();
 
   resolved.scale = scene.settings.time.scale;
@@ -81,6 +118,35 @@ Resolved resolve(const Study& study) {
                                                : static_cast<std::uint64_t>(std::max(frames, 1.0));
   resolved.duration = resolved.time_of(resolved.frames);
   return resolved;
+}
+
+void pin_keys(Study& study) {
+  if (std::none_of(study.keys.begin(), study.keys.end(), [](const Key& k) { return !k.variant.empty(); })) return;
+  const std::vector<KeyTarget> targets = key_targets(resolve(study));
+  for (Key& key : study.keys) {
+    for (std::size_t i = 0; i < targets.size() && !key.variant.empty(); ++i)
+      if (targets[i].is_called(key.variant)) key.panes.push_back(static_cast<int>(i) + 1);
+    key.variant.clear();
+  }
+}
+
+std::vector<std::string> drop_idle_keys(Study& study, const Resolved& resolved) {
+  const std::vector<std::size_t>& idle = resolved.timeline.idle();
+  if (idle.empty()) return {};
+  const Key first = study.keys[idle.front()];
+  for (std::size_t i = idle.size(); i-- > 0;)
+    study.keys.erase(study.keys.begin() + static_cast<std::ptrdiff_t>(idle[i]));
+  return {counted(idle.size(), "key does", "keys do") + " nothing in these panes, the first on " + first.path +
+          " at t = " + to_toml(Value(first.t)) + " s"};
+}
+
+std::vector<std::string> late_keys(const Study& study, const Resolved& resolved) {
+  const double last = resolved.time_of(resolved.frames - 1);
+  const auto late = std::find_if(study.keys.begin(), study.keys.end(), [&](const Key& k) { return k.t > last; });
+  if (late == study.keys.end()) return {};
+  return {counted(static_cast<std::size_t>(study.keys.end() - late), "key comes", "keys come") +
+          " after the end of the run at " + to_toml(Value(resolved.duration)) + " s, the first on " + late->path +
+          " at t = " + to_toml(Value(late->t)) + " s"};
 }
 
 } // namespace flipbook::app

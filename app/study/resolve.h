@@ -29,10 +29,21 @@ struct Resolved {
   Timeline timeline;
 
   [[nodiscard]] double time_of(std::uint64_t frame) const { return static_cast<double>(frame) * scale / output.fps; }
+  /// What the pictures need of the simulations, over the whole run.
+  [[nodiscard]] FrameRequest request() const { return timeline.request(view); }
   [[nodiscard]] CommandLog commands() const { return timeline.commands(output.fps, scale, frames); }
 };
 
 /// Throws one UserError of all mistakes.
 [[nodiscard]] Resolved resolve(const Study& study);
+
+/// Makes keys name their variants by number, so that they mean the same ones whatever changes of them and their titles.
+void pin_keys(Study& study);
+
+/// Takes out the keys of a changed study that do nothing any more, and says so.
+[[nodiscard]] std::vector<std::string> drop_idle_keys(Study& study, const Resolved& resolved);
+
+/// Says that keys come after the last frame of a video; nothing if none does.
+[[nodiscard]] std::vector<std::string> late_keys(const Study& study, const Resolved& resolved);
 
 } // namespace flipbook::app

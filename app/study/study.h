@@ -25,7 +25,8 @@ enum class Ease { smooth, linear, step };
 struct Key {
   double t = 0, over = 0;
   Ease ease = Ease::smooth;
-  std::string variant; ///< a label, title or scheme name; empty: every variant that has the parameter
+  std::string variant;    ///< a label, title or scheme name
+  std::vector<int> panes; ///< instead of a name: numbers from 1; neither: every variant that has the parameter
   std::string path;
   Value value;
   Location where;
@@ -38,7 +39,8 @@ struct Study {
   std::vector<Assignment> parameters; ///< for all variants
   std::vector<Assignment> view, output;
   std::vector<Variant> variants;
-  std::vector<Key> keys; ///< in time order
+  std::vector<Key> keys;   ///< in time order
+  bool overridden = false; ///< the command line changed what the keys were written for: those without use are left out
 };
 
 /// A study by name or path; a scene by name or path becomes a study of one variant. Throws UserError.

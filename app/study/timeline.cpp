@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/study/timeline.h"
 
+#include "app/study/paths.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +10,7 @@ namespace flipbook::app {
 namespace {
 
 constexpr double travel = 0.6; // seconds of video that the pointer takes to a widget
+constexpr int whole_view = -1; // stands for the view where a variant is meant otherwise
 constexpr double press = 0.1;  // it holds the widget a little longer than the widget moves
 
 double smooth(double s) {
@@ -35,31 +38,97 @@ Value rounded(Value value, Kind kind) {
 
 } // namespace
 
+bool KeyTarget::is_called(const std::string& name) const {
+  return std::any_of(names.begin(), names.end(), [&](const std::string& n) { return same_word(n, name); });
+}
+
 struct Timeline::Run {
   std::span<const KeyTarget> variants;
   std::vector<Settings> state;
+  render::ViewSettings view_at_start, view;
+  bool lenient;
+  std::size_t index = 0; ///< of the present key
 
   /// The variants that a key names, or all of them.
   [[nodiscard]] std::vector<std::size_t> named(const Key& key, Mistakes& mistakes) const {
     std::vector<std::size_t> chosen;
     std::vector<std::string> known;
+    for (const int pane : key.panes) {
+      if (pane >= 1 && static_cast<std::size_t>(pane) <= variants.size())
+        chosen.push_back(static_cast<std::size_t>(pane) - 1);
+      else if (!lenient)
+        mistakes.add("there is no variant " + std::to_string(pane) + ": the study has " +
+                         std::to_string(variants.size()),
+                     key.where);
+    }
+    if (!key.panes.empty()) return chosen;
     for (std::size_t i = 0; i < variants.size(); ++i) {
       const auto& names = variants[i].names;
       known.insert(known.end(), names.begin(), names.end());
-      if (key.variant.empty() ||
-          std::any_of(names.begin(), names.end(), [&](auto& n) { return same_word(n, key.variant); }))
-        chosen.push_back(i);
+      if (key.variant.empty() || variants[i].is_called(key.variant)) chosen.push_back(i);
     }
-    if (chosen.empty())
+    if (chosen.empty() && !lenient)
       mistakes.add("no variant is called \"" + key.variant + "\"", key.where, nearest_name(key.variant, known));
     return chosen;
   }
 };
 
-Timeline::Timeline(std::span<const Key> keys, std::span<const KeyTarget> variants, Mistakes& mistakes) {
-  Run run{variants, {}};
+Timeline::Timeline(std::span<const Key> keys, std::span<const KeyTarget> variants, const render::ViewSettings& view,
+                   bool lenient, Mistakes& mistakes) {
+  Run run{variants, {}, view, view, lenient};
   for (const KeyTarget& v : variants) run.state.push_back(v.settings);
-  for (const Key& key : keys) add(key, run, mistakes);
+  static const std::vector<std::string> own{"t", "over", "ease", "variant"};
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const Key& key = keys[i];
+    run.index = i;
+    if (const Refusal r = check_path(key.path, own); !r.message.empty())
+      mistakes.add(r.message, key.where, r.nearest);
+    else if (is_output(key.path))
+      mistakes.add(key.path + " holds for the whole run: a key cannot change it", key.where);
+    else if (is_view(key.path))
+      add_to_view(key, run, mistakes);
+    else
+      add(key, run, mistakes);
+  }
+}
+
+void Timeline::extend(Track& track, const Key& key, const Value& from, const Value& to) {
+  auto& all = track.segments;
+  const bool moving = !all.empty() && key.t < all.back().t + all.back().over;
+  all.push_back({key.t, key.over, key.ease, moving ? at(track, key.t) : from, to});
+}
+
+void Timeline::add_to_view(const Key& key, Run& run, Mistakes& mistakes) {
+  if (!key.variant.empty() || !key.panes.empty())
+    return mistakes.add("the panes share the view: a key on " + key.path + " cannot name a variant", key.where);
+  const auto now = [&] {
+    const std::vector<Parameter> all = parameters_of(run.view);
+    return *std::find_if(all.begin(), all.end(), [&](const Parameter& p) { return p.path == key.path; });
+  };
+  const Parameter before = now();
+  if (const Refusal r = set_parameter(run.view, key.path, key.value); !r.message.empty())
+    return mistakes.add(r.message, key.where, r.nearest);
+  if (const ViewMistake m = check_view(run.view); m.path == key.path)
+    return mistakes.add(m.refusal.message, key.where, m.refusal.nearest);
+  extend(track(whole_view, before), key, before.value, now().value);
+  if (key.path == "view.colour") free_range(key, run);
+}
+
+/// A range belongs to the quantity that it was written for: another one gets its own from the data, unless the same key
+/// says it.
+void Timeline::free_range(const Key& key, Run& run) {
+  const auto range = [](render::ViewSettings view) {
+    const std::vector<Parameter> all = parameters_of(view);
+    return *std::find_if(all.begin(), all.end(), [](const Parameter& p) { return p.path == "view.range"; });
+  };
+  Track& t = track(whole_view, range(run.view_at_start));
+  if (!t.segments.empty() && t.segments.back().t == key.t) return;
+  const Value before = range(run.view).value;
+  run.view.range = run.view.colour == run.view_at_start.colour ? run.view_at_start.range : std::array<double, 2>{0, 0};
+  Key change = key; // when the colour changes, which is no number and does so at the end of its move
+  change.t = key.ease == Ease::step ? key.t : key.t + key.over;
+  change.over = 0;
+  extend(t, change, before, range(run.view).value);
 }
 
 void Timeline::add(const Key& key, Run& run, Mistakes& mistakes) {
@@ -75,14 +144,14 @@ void Timeline::add(const Key& key, Run& run, Mistakes& mistakes) {
       return mistakes.add(r.message, key.where, r.nearest);
     if (const auto c = run.state[i].conflict(); !c.message.empty()) return mistakes.add(c.message, key.where);
     Track& t = track(static_cast<int>(i), *p);
-    const bool moving = !t.segments.empty() && key.t < t.segments.back().t + t.segments.back().over;
     // The value as it is stored: a list of two becomes a list of three, a name gets its own case.
     const std::vector<Parameter> now = parameters_of(run.state[i]);
     const auto stored = std::find_if(now.begin(), now.end(), [&](const Parameter& q) { return q.path == key.path; });
-    t.segments.push_back({key.t, key.over, key.ease, moving ? at(t, key.t) : p->value, stored->value});
+    extend(t, key, p->value, stored->value);
     moved.push_back(i);
   }
-  if (moved.empty() && !chosen.empty())
+  if (moved.empty() && run.lenient) idle_.push_back(run.index);
+  if (moved.empty() && !chosen.empty() && !run.lenient)
     mistakes.add("no variant uses " + key.path + " at t = " + to_toml(Value(key.t)), key.where);
   const bool shared = moved.size() == run.state.size();
   if (shared)
@@ -111,6 +180,31 @@ Value Timeline::value(int variant, const std::string& path, double time, const V
   return initial;
 }
 
+render::ViewSettings Timeline::view(double time, const render::ViewSettings& initial) const {
+  render::ViewSettings view = initial;
+  for (const Track& t : tracks_)
+    if (t.variant == whole_view) (void)set_parameter(view, t.path, at(t, time)); // checked when it was added
+  return view;
+}
+
+FrameRequest Timeline::request(const render::ViewSettings& initial) const {
+  FrameRequest all = initial.request();
+  // What is published depends on choices and flags, and those only change where a move begins or ends.
+  for (const Track& t : tracks_)
+    for (const Segment& s : t.segments)
+      for (const double time : {s.t, s.t + s.over}) {
+        if (t.variant != whole_view) continue;
+        const FrameRequest one = view(time, initial).request();
+        for (const std::string& name : one.channels)
+          if (std::find(all.channels.begin(), all.channels.end(), name) == all.channels.end())
+            all.channels.push_back(name);
+        all.faces = all.faces || one.faces;
+        all.phi = all.phi || one.phi;
+        all.pressure = all.pressure || one.pressure;
+      }
+  return all;
+}
+
 CommandLog Timeline::commands(double fps, double scale, std::uint64_t frames) const {
   CommandLog log;
   std::vector<Value> last;
@@ -119,7 +213,7 @@ CommandLog Timeline::commands(double fps, double scale, std::uint64_t frames) co
     const double time = static_cast<double>(k) * scale / fps;
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
       Value now = at(tracks_[i], time);
-      if (now == last[i]) continue;
+      if (now == last[i] || tracks_[i].variant == whole_view) continue;
       last[i] = now;
       log.push_back({k, tracks_[i].variant, SetParameter{tracks_[i].path, std::move(now)}});
     }

@@ -8,6 +8,7 @@
 
 #include "app/study/study.h"
 #include "render/frame.h"
+#include "render/view_settings.h"
 #include "sim/frame/commands.h"
 
 #include <cstdint>
@@ -21,13 +22,16 @@ namespace flipbook::app {
 struct KeyTarget {
   Settings settings;              ///< at the start
   std::vector<std::string> names; ///< label, title, scheme
+  [[nodiscard]] bool is_called(const std::string& name) const;
 };
 
 class Timeline {
 public:
   Timeline() = default;
-  /// Checks the keys against the variants and what earlier keys made of them.
-  Timeline(std::span<const Key> keys, std::span<const KeyTarget> variants, Mistakes& mistakes);
+  /// Checks the keys against the variants, the view and what earlier keys made of them. A key that no variant has a use
+  /// for is a mistake, or if `lenient` is left out and listed as idle.
+  Timeline(std::span<const Key> keys, std::span<const KeyTarget> variants, const render::ViewSettings& view,
+           bool lenient, Mistakes& mistakes);
 
   /// A command at each frame where a value differs from the frame before. Frame k is at k scale / fps.
   [[nodiscard]] CommandLog commands(double fps, double scale, std::uint64_t frames) const;
@@ -39,13 +43,21 @@ public:
   /// The value of a parameter at a time; `initial` where no key has moved it yet.
   [[nodiscard]] Value value(int variant, const std::string& path, double time, const Value& initial) const;
 
+  /// The view at a time; `initial` is that at the start.
+  [[nodiscard]] render::ViewSettings view(double time, const render::ViewSettings& initial) const;
+  /// What the simulation must publish for all views that the keys make of `initial`.
+  [[nodiscard]] FrameRequest request(const render::ViewSettings& initial) const;
+
+  /// Indices of the keys that do nothing.
+  [[nodiscard]] const std::vector<std::size_t>& idle() const { return idle_; }
+
 private:
   struct Segment {
     double t, over;
     Ease ease;
     Value from, to;
   };
-  /// One parameter of one variant over time.
+  /// One parameter of one variant, or of the view (-1), over time.
   struct Track {
     int variant;
     std::string path;
@@ -62,11 +74,15 @@ private:
 
   struct Run; ///< the variants as the keys before the present one left them
   void add(const Key& key, Run& run, Mistakes& mistakes);
+  void add_to_view(const Key& key, Run& run, Mistakes& mistakes);
+  void free_range(const Key& key, Run& run);
+  static void extend(Track& track, const Key& key, const Value& from, const Value& to);
   Track& track(int variant, const Parameter& parameter);
   [[nodiscard]] static Value at(const Track& track, double time);
 
   std::vector<Track> tracks_;
   std::vector<Grip> grips_;
+  std::vector<std::size_t> idle_;
 };
 
 } // namespace flipbook::app

@@ -61,6 +61,9 @@ std::string key_text(const Key& key) {
   std::string text = "\n[[key]]\n" + line("t", to_toml(Value(key.t)));
   if (key.over > 0) text += line("over", to_toml(Value(key.over)));
   if (key.ease != Ease::smooth) text += line("ease", key.ease == Ease::linear ? "\"linear\"" : "\"step\"");
+  if (key.panes.size() == 1) text += line("variant", to_toml(Value(static_cast<double>(key.panes.front()))));
+  if (key.panes.size() > 1)
+    text += line("variant", to_toml(Value(std::vector<double>(key.panes.begin(), key.panes.end()))));
   if (!key.variant.empty()) text += line("variant", to_toml(Value(key.variant)));
   return text + line(key.path, to_toml(key.value));
 }

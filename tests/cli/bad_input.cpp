@@ -64,6 +64,18 @@ const Case command_lines[] = {
     {"empty_scheme", with({"compare", "dam_break", "--schemes", "pic,,apic"}, tiny), {"pic,,apic"}},
     {"vary_without_values", with({"compare", "dam_break", "--vary", "time.cfl"}, tiny), {"path=value"}},
     {"vary_unknown", with({"compare", "dam_break", "--vary", "time.cfk=1,2"}, tiny), {"\"time.cfl\""}},
+    {"vary_empty", with({"compare", "dam_break", "--vary", "time.cfl="}, tiny), {"no values", "time.cfl=value"}},
+    {"vary_view", with({"compare", "dam_break", "--vary", "view.colour=id,speed"}, tiny), {"panes share the view"}},
+    {"vary_output", with({"compare", "dam_break", "--vary", "output.fps=1,2"}, tiny), {"panes share the output"}},
+    {"vary_unused",
+     with({"compare", "dam_break", "--schemes", "pic,apic", "--vary", "transfer.flip_ratio=0,1"}, tiny),
+     {"--vary transfer.flip_ratio", "no pane uses it"}},
+    {"set_of_what_schemes_vary",
+     with({"compare", "dam_break", "--set", "transfer.flip_ratio=0.5"}, tiny),
+     {"--set", "transfer.flip_ratio", "--schemes"}},
+    {"cells_of_what_is_varied",
+     with({"compare", "dam_break", "--vary", "grid.cells=16,32"}, tiny),
+     {"--cells", "grid.cells", "--vary"}},
     {"too_many_panes",
      with({"compare", "dam_break", "--vary", "seeding.seed=1,2,3,4", "--vary", "time.cfl=0.1,0.2,0.3,0.4"}, tiny),
      {"16", "12"}},
@@ -77,6 +89,20 @@ const Case command_lines[] = {
     {"unit", with({"render", "dam_break", "--set", "time.dt=5ms"}, tiny), {"time.dt", "number"}},
     {"out_of_range", with({"render", "dam_break", "--set", "time.cfl=-1"}, tiny), {"time.cfl", "0.01", "-1"}},
     {"cells_not_cubic", {"render", "elliptical_drop", "--cells", "32"}, {"--cells", "multiple of 3"}},
+    {"view_path", with({"render", "dam_break", "--set", "veiw.colour=id"}, tiny), {"\"view.colour\""}},
+    {"output_path", with({"render", "dam_break", "--set", "ouput.fps=3"}, tiny), {"\"output.fps\""}},
+    {"group", with({"render", "dam_break", "--set", "transfer=3"}, tiny), {"group", "transfer.scheme"}},
+    {"panel", with({"render", "dam_break", "--set", "view.panel=flip_rato"}, tiny), {"\"transfer.flip_ratio\""}},
+    {"plots", with({"render", "dam_break", "--set", "view.plots=kinetik"}, tiny), {"\"kinetic\""}},
+    {"range", with({"render", "dam_break", "--set", "view.range=2,1"}, tiny), {"view.range", "from 2 to 1"}},
+    {"size", {"render", "dam_break", "--size", "x"}, {"--size x", "1280x720"}},
+    {"size_half", {"render", "dam_break", "--size", "1280x"}, {"--size 1280x", "1280x720"}},
+    {"cells", {"render", "dam_break", "--cells", "16x"}, {"--cells 16x", "NxN"}},
+    {"no_frames", {"render", "dam_break", "--frames", "0"}, {"--frames 0", "1 to"}},
+    {"empty_value", {"compare", "dam_break", "--schemes", ""}, {"--schemes", "needs a value"}},
+    {"empty_value_after_equals", {"compare", "dam_break", "--schemes="}, {"--schemes", "needs a value"}},
+    {"at_without_value", {"still", "drop", "--at"}, {"--at needs a value"}},
+    {"at_before_an_option", with({"still", "drop", "--at"}, tiny), {"--at needs a value"}},
     {"fps", with({"render", "dam_break", "--fps", "0"}, tiny), {"--fps"}},
     {"frames", with({"render", "dam_break"}, {"--frames", "-3"}), {"--frames"}},
     {"dim", with({"render", "dam_break", "--dim", "4"}, tiny), {"--dim", "4"}},
@@ -122,6 +148,21 @@ const Case studies[] = {
     {"timeline_parameter_of_no_variant",
      {"scene = \"dam_break\"\ntransfer.scheme = \"pic\"\n[[key]]\nt = 0.1\ntransfer.flip_ratio = 0.5\n"},
      {"study.toml:5:", "flip_ratio"}},
+    {"group_of_view", {"scene = \"dam_break\"\n[veiw]\ncolour = \"id\"\n"}, {"study.toml:3:1:", "\"view.colour\""}},
+    {"variant_key", {"scene = \"dam_break\"\n[[variant]]\nlable = \"a\"\n"}, {"study.toml:3:1:", "\"label\""}},
+    {"variant_view",
+     {"scene = \"dam_break\"\n[[variant]]\nview.colour = \"id\"\n"},
+     {"study.toml:3:", "panes share the view"}},
+    {"scene_is_a_study", {"scene = \"study.toml\"\n"}, {"study.toml:1:1:", "is a study; a scene is wanted"}},
+    {"timeline_output",
+     {"scene = \"dam_break\"\n[[key]]\nt = 0.1\noutput.fps = 5\n"},
+     {"study.toml:4:", "output.fps", "whole run"}},
+    {"timeline_view_of_a_variant",
+     {"scene = \"dam_break\"\n[[key]]\nt = 0.1\nvariant = 1\nview.colour = \"id\"\n"},
+     {"study.toml:5:", "cannot name a variant"}},
+    {"timeline_variant_number",
+     {"scene = \"dam_break\"\n[[key]]\nt = 0.1\nvariant = 2\ntime.cfl = 0.3\n"},
+     {"study.toml:5:", "no variant 2"}},
     {"timeline_restart",
      {"scene = \"dam_break\"\n[[key]]\nt = 0.1\ngrid.cells = [8, 8]\n"},
      {"study.toml:4:", "grid.cells"}},
@@ -168,7 +209,8 @@ TEST(Machine, NoGlSaysWhatWasTried) {
   const Folder f;
   const Setting without_drivers{
       .environment = {{"__EGL_VENDOR_LIBRARY_DIRS", "/nowhere"}, {"LIBGL_DRIVERS_PATH", "/nowhere"}}};
-  const Outcome o = run(with({"render", "dam_break", "-o", "frames/", "--gl", "egl"}, tiny), f.path(), without_drivers);
+  const Outcome o =
+      run(with({"render", "dam_break", "-q", "-o", "frames/", "--gl", "egl"}, tiny), f.path(), without_drivers);
   expect_refusal(o, 3, {"egl"});
   EXPECT_THAT(f.files(), IsEmpty());
 }
@@ -202,6 +244,14 @@ TEST(Machine, AFileSystemWithoutSpace) {
     const Words arguments{"render", "dam_break", "-q", "--cells", "16", "--frames", "12", "-o", output};
     const Outcome o = run(arguments, f.path(), mounted);
     expect_refusal(o, 3, {output.substr(0, 7), "No space left on device"}); // `ls` prints nothing either
+  }
+}
+
+TEST(Machine, AFullStandardOutputIsAFailure) {
+  const Folder f;
+  for (const char* arguments : {"list scenes", "--help", "verify --only 5.5"}) {
+    const Outcome o = run({}, f.path(), {.before = {"sh", "-c", "\"$0\" " + std::string(arguments) + " > /dev/full"}});
+    expect_refusal(o, 3, {"standard output", "No space left"});
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What good input gets: the same bytes for any number of threads, pictures that can be made again, videos that play.
 #include "app/encode/png.h"
+#include "app/session/identical.h"
 #include "tests/cli/program.h"
 
 #include <gmock/gmock.h>
@@ -108,11 +109,11 @@ TEST(Outputs, APictureSaysWhatItIs) {
   EXPECT_EQ(by_key["flipbook:frame"], "3");
   EXPECT_EQ(by_key["flipbook:time"], "0.15");
   EXPECT_EQ(by_key["flipbook:seed"], "1");
-  EXPECT_EQ(by_key["flipbook:variants"], "PIC\nFLIP 0.97\nmine");
+  EXPECT_EQ(by_key["flipbook:variants"], "PIC\nFLIP 0.2\nmine") << "at this frame, where the key has moved it";
   EXPECT_THAT(by_key["flipbook:study"], AllOf(HasSubstr("Sliding"), HasSubstr("[[key]]")));
   for (const auto& [key, value] : by_key) EXPECT_THAT(value, Not(HasSubstr(f.path().string()))) << key;
   const Outcome info = run({"info", "a/frame_000003.png"}, f.path());
-  EXPECT_THAT(info.out, AllOf(HasSubstr("frame:    3"), HasSubstr("FLIP 0.97"), HasSubstr("Sliding")));
+  EXPECT_THAT(info.out, AllOf(HasSubstr("frame:    3"), HasSubstr("FLIP 0.2"), HasSubstr("Sliding")));
 }
 
 std::string variants_of(const Words& arguments) {
@@ -138,6 +139,24 @@ TEST(Compare, TitlesSayWhatRuns) {
             "PIC, linear\nPIC, cubic\nAPIC, linear\nAPIC, cubic");
 }
 
+TEST(Compare, OnlyPanesThatUseAParameterAreMultiplied) {
+  EXPECT_EQ(variants_of({"compare", "dam_break", "--cells", "16", "--schemes", "pic, flip", "--vary",
+                         "transfer.flip_ratio=0,0.5"}),
+            "PIC\nFLIP 0\nFLIP 0.5");
+  EXPECT_EQ(variants_of({"compare", "dam_break", "--cells", "16", "--set", "transfer.scheme=aflip", "--vary",
+                         "transfer.flip_ratio=0,0.5"}),
+            "AFLIP 0\nAFLIP 0.5");
+}
+
+TEST(Compare, ThePictureHasTheSeedOfEachPane) {
+  const Folder f;
+  must_run({"compare", "dam_break", "--cells", "16", "--vary", "seeding.seed=4,5", "--frames", "1", "--size", "320x180",
+            "-o", "a/"},
+           f);
+  const auto text = app::read_png_text(f.path() / "a/frame_000000.png");
+  EXPECT_EQ((std::map<std::string, std::string>(text.begin(), text.end())["flipbook:seed"]), "4, 5");
+}
+
 TEST(Compare, ASingleNumberOfCellsKeepsThemCubic) {
   EXPECT_EQ(variants_of({"compare", "annotated", "--schemes", "apic", "--vary", "grid.cells=16,32"}),
             "APIC, 16 \u00d7 8 cells\nAPIC, 32 \u00d7 16 cells");
@@ -145,12 +164,82 @@ TEST(Compare, ASingleNumberOfCellsKeepsThemCubic) {
 
 TEST(Compare, IdenticalPanesAreReported) {
   const Folder f;
-  const Outcome o = run({"compare", "dam_break", "--schemes", "pic,flip:0,apic", "--cells", "16", "--frames", "3",
+  const Outcome o = run({"compare", "dam_break", "--schemes", "pic,flip:0,apic", "--cells", "16", "--frames", "9",
                          "--size", "320x180", "-o", "a/"},
                         f.path());
   EXPECT_EQ(o.code, 0);
   EXPECT_THAT(o.err, HasSubstr("panes 1 and 2 show identical particles")); // FLIP 0 is PIC
   EXPECT_THAT(o.err, Not(HasSubstr("and 3")));
+}
+
+std::shared_ptr<const Snapshot> snapshot(std::uint64_t steps, float v) {
+  auto s = std::make_shared<Snapshot>();
+  s->steps = steps;
+  s->x = {0, 0};
+  s->v = {0, v};
+  return s;
+}
+
+TEST(IdenticalPanes, AreGroupedAfterSeveralStepsOfMotion) {
+  app::IdenticalPanes identical;
+  const auto all = [&](std::uint64_t steps, const std::vector<float>& v) {
+    std::vector<std::shared_ptr<const Snapshot>> panes;
+    for (const float x : v) panes.push_back(snapshot(steps, x));
+    return identical.warnings(panes);
+  };
+  EXPECT_THAT(all(20, {0, 0, 0, 0}), ElementsAre()) << "at rest";
+  EXPECT_THAT(all(21, {1, 1, 1, 1}), ElementsAre()) << "the first step from rest is the same for all";
+  EXPECT_THAT(all(25, {1, 1, 2, 1}), ElementsAre("panes 1, 2 and 4 show identical particles"));
+  EXPECT_THAT(all(26, {1, 2, 2, 1}),
+              ElementsAre("panes 1 and 4 show identical particles", "panes 2 and 3 show identical particles"));
+}
+
+// === Options over a study
+
+TEST(Options, TheDefaultStudySurvivesThem) {
+  for (const Words& more : {Words{"--set", "transfer.flip_ratio=0.5"},
+                            {"--set", "transfer.scheme=pic"},
+                            {"--set", "transfer.kernel=quadratic"},
+                            {"--set", "view.colour=id"},
+                            {"--size", "320X180"}}) {
+    const Folder f;
+    Words all{"render", "dam_break", "--cells", "16", "--frames", "2", "--size", "320x180", "-o", "a/"};
+    all.insert(all.end(), more.begin(), more.end());
+    must_run(all, f);
+    must_run({"info", "a/frame_000000.png", "--study", "-o", "again.toml"}, f);
+    must_run({"render", "again.toml", "-o", "b/"}, f);
+    EXPECT_TRUE(pictures(f, "a") == pictures(f, "b")) << more[1];
+  }
+}
+
+TEST(Options, AKeyAfterTheEndIsAWarning) {
+  const Folder f;
+  const Words common{"render", "dam_break", "--cells", "16", "--duration", "0.1", "--size", "320x180", "-o", "a/"};
+  const Outcome loud = run(common, f.path());
+  EXPECT_EQ(loud.code, 0);
+  EXPECT_THAT(loud.err, HasSubstr("warning: 2 keys come after the end of the run at 0.1 s"));
+  Words quiet = common;
+  quiet.push_back("-q");
+  EXPECT_EQ(run(quiet, f.path()).err, "");
+}
+
+TEST(Timeline, MovesTheViewOfAllPanes) {
+  const Folder f;
+  const std::string start = "scene = \"dam_break\"\ngrid.cells = [16, 16]\noutput.size = [320, 180]\n"
+                            "output.fps = 20\noutput.duration = 0.2\n";
+  (void)f.write("speed.toml", start + "view.colour = \"speed\"\n");
+  (void)f.write("moving.toml", start + "view.colour = \"speed\"\n[[key]]\nt = 0.1\nview.colour = \"vorticity\"\n");
+  (void)f.write("vorticity.toml", start + "view.colour = \"vorticity\"\n");
+  for (const std::string name : {"speed", "moving", "vorticity"})
+    must_run({"render", name + ".toml", "-o", name + "/"}, f);
+  const auto pixels = [&](const std::string& name) {
+    const Outcome o =
+        run_other({"ffmpeg", "-v", "error", "-i", name, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"}, f.path());
+    return o.out;
+  };
+  EXPECT_TRUE(pixels("moving/frame_000001.png") == pixels("speed/frame_000001.png"));
+  EXPECT_TRUE(pixels("moving/frame_000003.png") != pixels("speed/frame_000003.png"));
+  EXPECT_TRUE(pixels("moving/frame_000003.png") == pixels("vorticity/frame_000003.png"));
 }
 
 TEST(Still, EqualsTheFrameOfTheVideoAtItsTime) {
@@ -223,6 +312,12 @@ TEST(Program, HelpIsEverywhere) {
     EXPECT_EQ(o.err, "") << words[0];
   }
   EXPECT_THAT(run({"--version"}, f.path()).out, StartsWith("flipbook "));
+  EXPECT_THAT(run({"render", "x", "--version"}, f.path()).out, StartsWith("flipbook "));
+  EXPECT_THAT(run({"still", "--help"}, f.path()).out, Not(HasSubstr(".mp4")));
+  const Outcome bare = run({}, f.path());
+  EXPECT_EQ(bare.code, 2);
+  EXPECT_EQ(bare.out, "");
+  EXPECT_THAT(bare.err, HasSubstr("Usage: flipbook"));
 }
 
 TEST(Program, ListsWhatThereIs) {
@@ -242,6 +337,7 @@ TEST(Program, VerifyPassesAndSaysSo) {
   const Outcome table = run({"verify", "--only", "apic"}, f.path());
   EXPECT_EQ(table.code, 0) << table.out;
   EXPECT_THAT(table.out, AllOf(HasSubstr("5.5"), HasSubstr("our extension"), HasSubstr(" 0 failed")));
+  EXPECT_THAT(run({"verify", "--only", "angular", "--threads", "1"}, f.path()).out, HasSubstr("angular momentum"));
   const Outcome json = run({"verify", "--only", "5.5", "--json"}, f.path());
   EXPECT_THAT(json.out, AllOf(StartsWith("["), HasSubstr("\"negative\": true"), HasSubstr("\"passed\": true")));
 }

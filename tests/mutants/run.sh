@@ -4,7 +4,6 @@
 # test that fails, or does not exist, without any mutant.
 #   tests/mutants/run.sh [NAME...]        without names: all of them
 # A patch begins with:  Caught-by: <test program, without test_> <googletest filter>
-# Patches of one file stand side by side in the alphabet, so that undoing one and applying the next is one compilation.
 set -euo pipefail
 top=$(cd "$(dirname "$0")/../.." && pwd)
 . "$top/tests/mutants/scratch.sh"
@@ -12,7 +11,10 @@ make_scratch "$top" # leaves us in the copy
 
 patches=()
 for name in "${@:-*}"; do
-  for p in "$top"/tests/mutants/$name.patch; do patches+=("$p"); done # the default is a pattern
+  for p in "$top"/tests/mutants/$name.patch; do # the default is a pattern
+    [ -f "$p" ] || { echo "there is no $p" >&2; exit 2; }
+    patches+=("$p")
+  done
 done
 caught_by() { grep -m1 '^Caught-by:' "$1" | cut -d' ' -f2-; }
 build() { cmake --build ../build --target "$@" >../build.log 2>&1; }
@@ -38,13 +40,20 @@ for p in "${patches[@]}"; do
   if ! patch -s -f -p1 --dry-run <"$p" >/dev/null; then
     verdict="DOES NOT APPLY"
   else
+    mapfile -t files < <(sed -n 's|^+++ b/||p' "$p")
+    rm -rf ../kept && mkdir ../kept && cp -p --parents "${files[@]}" ../kept
+    touch ../begin
     patch -s -f -p1 --no-backup-if-mismatch <"$p"
     if ! build "test_$program"; then
       verdict="DOES NOT BUILD (see build/mutants/build.log)"
     elif passes "$program" "$filter"; then
       verdict=SURVIVED
     fi
-    patch -s -f -R -p1 --no-backup-if-mismatch <"$p"
+    # What was built from the mutant goes, and the source comes back as old as it was: nothing else is built again for it.
+    for file in "${files[@]}"; do
+      ninja -C ../build -t deps 2>/dev/null | awk -v file="$PWD/$file" '/^[^ ]/ {sub(/:.*/, ""); o = $0} $1 == file {print o}'
+    done | (cd ../build && xargs -r -I{} find {} -newer ../begin -delete 2>/dev/null) || true # some were never built
+    cp -pr ../kept/. .
   fi
   [ "$verdict" != caught ] || caught=$((caught + 1))
   printf '%-32s %-12s %3d s  %s\n' "$(basename "$p" .patch)" "$program" $((SECONDS - begin)) "$verdict"

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "app/study/memory.h"
+#include "app/study/paths.h"
 #include "app/study/resolve.h"
 #include "app/study/titles.h"
+#include "sim/core/parallel.h"
+#include "sim/simulation.h"
 #include "tests/unit/message.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace flipbook::app {
@@ -159,6 +164,37 @@ TEST(Study, SaysWhatIsWrongWithItsScene) {
   EXPECT_EQ(message_of([] { (void)read_study("damm_break"); }),
             "there is no study or scene \"damm_break\"; did you mean \"dam_break\"?");
   EXPECT_EQ(message_of([] { (void)read_study("x/y.toml"); }), "there is no file \"x/y.toml\"");
+}
+
+TEST(Study, PlotNamesAreTheColumnsOfTheLedger) {
+  Budget budget(1);
+  const Budget::Permit permit(budget);
+  Pool pool(budget);
+  std::vector<std::string> found;
+  for (const char* dim : {"2", "3"}) {
+    const Scene s = parse_scene(std::string("dim = ") + dim +
+                                    "\ngrid.cells = [4, 4, 4]\n[[body]]\nshape = \"box\"\nlo = [0, 0]\nhi = [1, 0.5]\n",
+                                "s.toml");
+    const auto snapshot = make_simulation(s, pool)->snapshot(0, {});
+    for (const auto& column : snapshot->history->columns)
+      if (std::find(found.begin(), found.end(), column.name) == found.end()) found.push_back(column.name);
+  }
+  std::vector<std::string> listed = plot_names();
+  std::sort(found.begin(), found.end());
+  std::sort(listed.begin(), listed.end());
+  EXPECT_EQ(found, listed);
+}
+
+/// Half of 16 x 16 cells is wet: 128 cells with 4 particles each, in two variants.
+TEST(Study, SaysHowMuchMemoryItNeeds) {
+  const Resolved r = resolved(scene + two);
+  const Need need = memory_need(r);
+  EXPECT_EQ(need.cells, 512);
+  EXPECT_NEAR(need.particles, 1024, 1);
+  EXPECT_EQ(message_of([&] { refuse_too_large(r, need.bytes); }), "no error");
+  const std::string message = message_of([&] { refuse_too_large(r, need.bytes / 2); });
+  EXPECT_NE(message.find("0.000512 million cells and 0.00102 million particles"), std::string::npos) << message;
+  EXPECT_NE(message.find("this machine has"), std::string::npos) << message;
 }
 
 // === Titles

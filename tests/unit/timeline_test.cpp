@@ -98,6 +98,46 @@ TEST(Timeline, FollowsAChangeOfScheme) {
   EXPECT_DOUBLE_EQ(ratio(r, 1, 1.5), 0.5) << "from FLIP's own 1";
 }
 
+TEST(Timeline, PicksAVariantByNumber) {
+  const Resolved one = with_keys("[[key]]\nt = 0\nvariant = 3\ntransfer.flip_ratio = 0.5\n");
+  EXPECT_DOUBLE_EQ(ratio(one, 0, 1), -1);
+  EXPECT_DOUBLE_EQ(ratio(one, 2, 1), 0.5);
+  const Resolved two = with_keys("[[key]]\nt = 0\nvariant = [1, 3]\ntransfer.flip_ratio = 0.5\n");
+  EXPECT_DOUBLE_EQ(ratio(two, 0, 1), 0.5);
+  EXPECT_DOUBLE_EQ(ratio(two, 2, 1), 0.5);
+}
+
+TEST(Timeline, PinnedKeysKeepTheirVariantWhateverItBecomes) {
+  Study s = parse_study(scene + panes + "[[key]]\nt = 1\nvariant = \"FLIP 0.8\"\ntransfer.flip_ratio = 0\n", "s.toml");
+  pin_keys(s);
+  assign(s, {"transfer.flip_ratio", 0.5, {}});
+  const Resolved r = resolve(s);
+  EXPECT_DOUBLE_EQ(ratio(r, 0, 1), 0);
+  EXPECT_DOUBLE_EQ(ratio(r, 2, 1), -1);
+  assign(s, {"transfer.scheme", std::string("pic"), {}});
+  EXPECT_EQ(drop_idle_keys(s, resolve(s)).size(), 1U);
+  EXPECT_TRUE(s.keys.empty());
+}
+
+TEST(Timeline, MovesTheViewAndAsksForAllThatItWillShow) {
+  const Resolved r = with_keys("[[key]]\nt = 0.5\nover = 1\nease = \"linear\"\nview.particle_size = 3\n"
+                               "[[key]]\nt = 1\nview.colour = \"vorticity\"\nview.arrows = true\n",
+                               "view.colour = \"speed\"\nview.range = [0, 3]\nview.particle_size = 1\n");
+  EXPECT_TRUE(r.commands().empty()) << "no solver has such a parameter";
+  const auto view = [&](double t) { return r.timeline.view(t, r.view); };
+  EXPECT_DOUBLE_EQ(view(0).particle_size, 1);
+  EXPECT_DOUBLE_EQ(view(1).particle_size, 2);
+  EXPECT_FALSE(view(0.9).arrows);
+  EXPECT_TRUE(view(1).arrows);
+  EXPECT_EQ(view(0.9).colour, r.view.colour);
+  EXPECT_NE(view(1).colour, r.view.colour);
+  EXPECT_EQ(view(0.9).range[1], 3);
+  EXPECT_EQ(view(1).range[1], 0) << "a range belongs to the quantity that it was written for";
+  const FrameRequest request = r.request();
+  EXPECT_EQ(request.channels, (std::vector<std::string>{"speed", "vorticity"}));
+  EXPECT_TRUE(request.faces);
+}
+
 TEST(Timeline, RoundsWholeNumbers) {
   const Resolved r = with_keys("[[key]]\nt = 0\nover = 1\nease = \"linear\"\npressure.max_iterations = 1001\n");
   EXPECT_EQ(r.timeline.value(0, "pressure.max_iterations", 0.3333, 0.0), Value(1667.0));

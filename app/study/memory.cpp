@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "app/study/memory.h"
+
+#include "sim/frame/errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <unistd.h>
+
+namespace flipbook::app {
+namespace {
+
+/// The share of the domain that the bodies fill, looked up at evenly spread points.
+double filled(const Scene& scene) {
+  const Domain domain = scene.domain();
+  const int dim = scene.settings.dim, n = dim == 2 ? 256 : 48, nz = dim == 2 ? 1 : n;
+  int inside = 0;
+  for (int k = 0; k < nz; ++k)
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) {
+        const Point p{(i + 0.5) / n * scene.settings.grid.size[0], (j + 0.5) / n * scene.settings.grid.size[1],
+                      dim == 2 ? 0 : (k + 0.5) / n * scene.settings.grid.size[2]};
+        inside += std::any_of(scene.fluid.begin(), scene.fluid.end(),
+                              [&](const Body& b) { return b.shape->contains(p, domain); });
+      }
+  return static_cast<double>(inside) / (static_cast<double>(n) * n * nz);
+}
+
+/// x, v, m, the affine state and a column to sort with; id, cell, source and their copy; where it started; its
+/// snapshot.
+double particle_bytes(int dim, double real) {
+  return real * (2 * dim + 2 + dim * dim) + 4 * 4 + 12 + 1 + 4 * (2 * dim + 2);
+}
+
+/// m, u and u_old on faces, phi, and openings of faces; p; the beginning of its particles; masks.
+double cell_bytes(int dim, double real) {
+  return real * (4 * dim + 1) + 8 + 4 + 2 + dim;
+}
+
+/// A row of the pressure system and the solver's vectors, for a cell with liquid.
+double row_bytes(int dim, double real) {
+  return 8.0 * (dim + 7) + real * (dim + 2);
+}
+
+std::string gigabytes(double bytes) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*f GB", bytes < 1e10 ? 1 : 0, 1e-9 * bytes);
+  return text;
+}
+
+} // namespace
+
+Need memory_need(const Resolved& resolved) {
+  Need need;
+  for (const ResolvedVariant& v : resolved.variants) {
+    const Settings& s = v.scene.settings;
+    const double real = s.precision == Precision::single ? 4 : 8;
+    double cells = 1;
+    for (int d = 0; d < s.dim; ++d) cells *= s.grid.cells[static_cast<std::size_t>(d)];
+    const double wet = cells * filled(v.scene), particles = wet * std::pow(s.seeding.per_axis, s.dim);
+    need.cells += cells;
+    need.particles += particles;
+    need.bytes +=
+        particles * particle_bytes(s.dim, real) + cells * cell_bytes(s.dim, real) + wet * row_bytes(s.dim, real);
+  }
+  return need;
+}
+
+void refuse_too_large(const Resolved& resolved, double available) {
+  const Need need = memory_need(resolved);
+  if (need.bytes <= available) return;
+  char counts[96];
+  std::snprintf(counts, sizeof counts, "%.3g million cells and %.3g million particles", 1e-6 * need.cells,
+                1e-6 * need.particles);
+  throw UserError("the run needs about " + gigabytes(need.bytes) + " of memory (" + counts +
+                  " in all panes); this machine has " + gigabytes(available) + ": choose fewer cells");
+}
+
+void refuse_too_large(const Resolved& resolved) {
+  const double available = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (available > 0) refuse_too_large(resolved, available);
+}
+
+} // namespace flipbook::app

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "app/study/paths.h"
+
+#include "app/study/output_settings.h"
+#include "sim/frame/errors.h"
+#include "sim/scene/settings.h"
+
+#include <algorithm>
+
+namespace flipbook::app {
+namespace {
+
+template <Described T> void add_paths(std::vector<std::string>& paths) {
+  T component;
+  for (const Parameter& p : parameters_of(component)) paths.push_back(p.path);
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Does `wanted` name the parameter, by its path or its last parts?
+bool names(const std::string& wanted, const std::string& path) {
+  return path == wanted || path.ends_with("." + wanted);
+}
+
+Refusal check_panel(const std::vector<std::string>& panel) {
+  std::vector<std::string> shown; // only what a solver has can be shown
+  add_paths<Settings>(shown);
+  for (const std::string& wanted : panel)
+    if (std::none_of(shown.begin(), shown.end(), [&](const std::string& path) { return names(wanted, path); }))
+      return {"view.panel: no parameter is called \"" + wanted + "\"", nearest_name(wanted, shown)};
+  return {};
+}
+
+Refusal check_plots(const std::vector<std::string>& plots) {
+  for (const std::string& wanted : plots)
+    if (!contains(plot_names(), wanted))
+      return {"view.plots: no curve is called \"" + wanted + "\"", nearest_name(wanted, plot_names())};
+  return {};
+}
+
+} // namespace
+
+const std::vector<std::string>& known_paths() {
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> paths;
+    add_paths<Settings>(paths);
+    add_paths<render::ViewSettings>(paths);
+    add_paths<OutputSettings>(paths);
+    return paths;
+  }();
+  return all;
+}
+
+bool is_view(std::string_view path) {
+  return path.starts_with("view.");
+}
+
+bool is_output(std::string_view path) {
+  return path.starts_with("output.");
+}
+
+Refusal check_path(const std::string& path, std::span<const std::string> own) {
+  const std::vector<std::string>& all = known_paths();
+  if (contains(all, path)) return {};
+  const auto inside =
+      std::find_if(all.begin(), all.end(), [&](const std::string& known) { return known.starts_with(path + "."); });
+  if (inside != all.end() && !path.empty())
+    return {"\"" + path + "\" is a group of parameters and has no value of its own, but " + *inside + " has", ""};
+  std::string nearest = path.find('.') == std::string::npos ? nearest_name(path, own) : "";
+  if (nearest.empty()) nearest = nearest_name(path, all);
+  return {"unknown parameter \"" + path + "\"", std::move(nearest)};
+}
+
+Refusal check_pane_path(const std::string& path, std::span<const std::string> own) {
+  if (Refusal r = check_path(path, own); !r.message.empty()) return r;
+  if (is_view(path)) return {"the panes share the view: " + path + " cannot differ between them", ""};
+  if (is_output(path)) return {"the panes share the output: " + path + " cannot differ between them", ""};
+  return {};
+}
+
+const std::vector<std::string>& plot_names() {
+  static const std::vector<std::string> all{"kinetic",           "potential",          "total",
+                                            "transfer_loss",     "momentum_x",         "momentum_y",
+                                            "momentum_z",        "angular_momentum_x", "angular_momentum_y",
+                                            "angular_momentum_z"};
+  return all;
+}
+
+ViewMistake check_view(const render::ViewSettings& view) {
+  if (Refusal r = check_panel(view.panel); !r.message.empty()) return {"view.panel", std::move(r)};
+  if (Refusal r = check_plots(view.plots); !r.message.empty()) return {"view.plots", std::move(r)};
+  if (view.range[0] > view.range[1])
+    return {"view.range",
+            {"view.range must go from the lower end to the upper one, not from " + to_toml(Value(view.range[0])) +
+                 " to " + to_toml(Value(view.range[1])),
+             ""}};
+  return {};
+}
+
+} // namespace flipbook::app
