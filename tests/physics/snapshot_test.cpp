@@ -120,7 +120,7 @@ TEST(Snapshot, ExtremesNeverShrink) {
   for (int i = 0; i < 10; ++i) {
     flow.run_to(flow.solver.time() + 0.1);
     const auto s = flow.solver.snapshot(static_cast<std::uint64_t>(i), request);
-    const auto& c = channel(*s, "speed");
+    const Channel c = channel(*s, "speed");
     EXPECT_GE(c.hi, before);
     const auto above = std::count_if(c.values.begin(), c.values.end(), [&](float x) { return x > c.hi; });
     EXPECT_LE(above, static_cast<std::ptrdiff_t>(c.values.size() / 200)) << "a few drops may be faster";
