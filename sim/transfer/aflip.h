@@ -19,22 +19,8 @@ struct Aflip {
   double affine = 1;
 
   void describe(ParameterVisitor& v) {
-    v.real({.name = "flip_ratio",
-            .help = "Share of FLIP in the velocity update. 1: pure FLIP, 0: pure PIC",
-            .min = 0,
-            .max = 1,
-            .level = Level::teach,
-            .at_min = "PIC",
-            .at_max = "FLIP"},
-           flip_ratio);
-    v.real({.name = "affine",
-            .help = "Share of the velocity gradient that a particle keeps. 1: all of it, 0: none",
-            .min = 0,
-            .max = 1,
-            .level = Level::teach,
-            .at_min = "none",
-            .at_max = "full"},
-           affine);
+    v.real(flip_ratio_spec, flip_ratio);
+    v.real(affine_spec("Share of the velocity gradient that a particle keeps. 1: all of it, 0: none"), affine);
   }
   [[nodiscard]] Corner corner() const { return {.mode = AffineMode::full, .flip_ratio = flip_ratio, .affine = affine}; }
 };

@@ -17,14 +17,7 @@ struct Apic {
   double affine = 1;
 
   void describe(ParameterVisitor& v) {
-    v.real({.name = "affine",
-            .help = "Share of the velocity gradient that a particle keeps. 1: all of it, 0: none (PIC)",
-            .min = 0,
-            .max = 1,
-            .level = Level::teach,
-            .at_min = "none",
-            .at_max = "full"},
-           affine);
+    v.real(affine_spec("Share of the velocity gradient that a particle keeps. 1: all of it, 0: none (PIC)"), affine);
   }
   [[nodiscard]] Corner corner() const { return {.mode = AffineMode::full, .affine = affine}; }
 };

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "sim/core/particles.h"
+#include "sim/frame/parameters.h"
 
 namespace flipbook {
 
@@ -16,5 +17,20 @@ struct Corner {
   double affine = 1;     ///< in [0, 1]: scales what the mode gathers
   bool skew = false;     ///< full mode: keep the antisymmetric part of C only
 };
+
+/// How flip_ratio is described, in every scheme that has it.
+inline constexpr Spec flip_ratio_spec{.name = "flip_ratio",
+                                      .help = "Share of FLIP in the velocity update. 1: pure FLIP, 0: pure PIC",
+                                      .min = 0,
+                                      .max = 1,
+                                      .level = Level::teach,
+                                      .at_min = "PIC",
+                                      .at_max = "FLIP"};
+
+/// How affine is described; what it is a share of differs between the modes.
+[[nodiscard]] constexpr Spec affine_spec(std::string_view help) {
+  return {
+      .name = "affine", .help = help, .min = 0, .max = 1, .level = Level::teach, .at_min = "none", .at_max = "full"};
+}
 
 } // namespace flipbook

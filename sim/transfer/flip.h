@@ -16,16 +16,7 @@ struct Flip {
 
   double flip_ratio = 1;
 
-  void describe(ParameterVisitor& v) {
-    v.real({.name = "flip_ratio",
-            .help = "Share of FLIP in the velocity update. 1: pure FLIP, 0: pure PIC",
-            .min = 0,
-            .max = 1,
-            .level = Level::teach,
-            .at_min = "PIC",
-            .at_max = "FLIP"},
-           flip_ratio);
-  }
+  void describe(ParameterVisitor& v) { v.real(flip_ratio_spec, flip_ratio); }
   [[nodiscard]] Corner corner() const { return {.flip_ratio = flip_ratio}; }
 };
 

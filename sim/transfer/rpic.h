@@ -24,14 +24,7 @@ struct Rpic {
   Form form = Form::inertia;
 
   void describe(ParameterVisitor& v) {
-    v.real({.name = "affine",
-            .help = "Share of the spin that a particle keeps. 1: all of it, 0: none (PIC)",
-            .min = 0,
-            .max = 1,
-            .level = Level::teach,
-            .at_min = "none",
-            .at_max = "full"},
-           affine);
+    v.real(affine_spec("Share of the spin that a particle keeps. 1: all of it, 0: none (PIC)"), affine);
     v.choice({.name = "form", .help = "How RPIC finds the spin of a particle"}, form, forms);
   }
   [[nodiscard]] Corner corner() const {
