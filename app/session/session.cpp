@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <span>
 #include <thread>
 
@@ -43,7 +42,7 @@ public:
         options_(options), budget_(thread_count(options.threads)),
         driver_(resolved, schedule, budget_, exchange_, [this] { return must_stop(); }) {
     // llvmpipe would start threads of its own, outside the budget.
-    setenv("LP_NUM_THREADS", "0", 0);
+    render::set_draw_threads(1);
     catch_signals();
   }
 

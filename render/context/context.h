@@ -24,7 +24,8 @@ public:
 };
 
 /// How many threads the software rasteriser draws with (1: the calling thread, no other). Call it before the first
-/// context of the process is made, and before other threads run (it sets an environment variable, LP_NUM_THREADS).
+/// context of the process is made, and before other threads run (it sets an environment variable, LP_NUM_THREADS,
+/// unless the user has set it).
 void set_draw_threads(int threads);
 
 } // namespace flipbook::render

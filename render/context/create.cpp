@@ -64,7 +64,7 @@ std::unique_ptr<Context> Context::create(Backend backend) {
 
 void set_draw_threads(int threads) {
   // The software rasteriser reads it when the first context of the process is made; 0 draws in the calling thread.
-  setenv("LP_NUM_THREADS", std::to_string(threads <= 1 ? 0 : threads).c_str(), 1);
+  setenv("LP_NUM_THREADS", std::to_string(threads <= 1 ? 0 : threads).c_str(), 0);
 }
 
 } // namespace flipbook::render
