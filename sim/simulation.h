@@ -4,6 +4,7 @@
 #pragma once
 
 #include "sim/core/parallel.h"
+#include "sim/files/particle_table.h"
 #include "sim/frame/snapshot.h"
 
 #include <memory>
@@ -22,6 +23,8 @@ public:
   [[nodiscard]] virtual std::uint64_t steps() const = 0;
   /// Largest step that this simulation may take from its present state (seconds).
   [[nodiscard]] virtual double max_dt() const = 0;
+  /// A step that is always taken whole (seconds); 0: any step up to max_dt() may be taken.
+  [[nodiscard]] virtual double fixed_dt() const { return 0; }
   /// Advances by dt. Throws NonFiniteError.
   virtual void step(double dt) = 0;
 
@@ -37,6 +40,8 @@ public:
   [[nodiscard]] virtual std::size_t particles() const = 0;
   /// The state at this frame; also appends a row to the history.
   [[nodiscard]] virtual std::shared_ptr<const Snapshot> snapshot(std::uint64_t frame, const FrameRequest& request) = 0;
+  /// All that the particles hold, in the order of their ids and in world coordinates.
+  [[nodiscard]] virtual ParticleTable particle_table() const = 0;
 };
 
 /// Seeds the scene and makes its solver; throws UserError for a scene that cannot be run.

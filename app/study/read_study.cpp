@@ -168,7 +168,8 @@ Study read_study(const std::string& name_or_path) {
   if (const auto path = find_asset("studies", name_or_path)) {
     Node root = parse_toml(read_text_file(*path), *path);
     // A file given by its path may be a scene: it has bodies and names no scene.
-    if (!root.find("scene") && root.find("body")) return of_scene({stem(*path), std::move(root)});
+    if (!root.find("scene") && (root.find("body") || root.find("particles")))
+      return of_scene({stem(*path), std::move(root)});
     return from_tree(root, *path);
   }
   if (is_path(name_or_path)) throw UserError("there is no file \"" + name_or_path + "\"");

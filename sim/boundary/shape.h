@@ -4,14 +4,14 @@
 // coordinate out lies in the middle of the domain.
 #pragma once
 
+#include "sim/boundary/motion.h"
+
 #include <array>
 #include <functional>
 #include <memory>
 #include <vector>
 
 namespace flipbook {
-
-using Point = std::array<double, 3>; ///< metres from the lower corner of the domain
 
 /// The box in which a scene happens.
 struct Domain {

@@ -6,6 +6,7 @@
 
 #include "sim/fluid/extrapolate.h"
 #include "sim/fluid/fluid_state.h"
+#include "sim/fluid/particle_table.h"
 #include "sim/fluid/project.h"
 #include "sim/fluid/recorder.h"
 #include "sim/simulation.h"
@@ -29,6 +30,9 @@ public:
   [[nodiscard]] std::size_t particles() const override { return state_.particles.size(); }
   [[nodiscard]] std::shared_ptr<const Snapshot> snapshot(std::uint64_t frame, const FrameRequest& request) override {
     return recorder_.snapshot(state_, transfer_loss_, frame, request, pool_);
+  }
+  [[nodiscard]] ParticleTable particle_table() const override {
+    return flipbook::particle_table(state_.particles, state_.settings.grid.origin);
   }
 
   [[nodiscard]] const FluidState<Dim, Real>& state() const { return state_; }

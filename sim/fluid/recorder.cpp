@@ -153,6 +153,7 @@ std::shared_ptr<const Snapshot> Recorder<Dim, Real>::snapshot(const FluidState<D
     s->cells[axis] = state.grid.cells[a];
     s->periodic[axis] = state.walls.periodic(a);
   }
+  s->up = settings.fluid.up(Dim);
 
   const auto& particles = state.particles;
   s->particle_spacing = state.grid.dx / settings.seeding.per_axis;

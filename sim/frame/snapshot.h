@@ -3,6 +3,7 @@
 // what it needs in a FrameRequest and the simulation publishes only that.
 #pragma once
 
+#include "sim/frame/mesh.h"
 #include "sim/frame/parameters.h"
 
 #include <array>
@@ -74,6 +75,7 @@ struct Snapshot {
   std::array<int, 3> cells{1, 1, 1};
   double dx = 1;
   std::array<bool, 3> periodic{false, false, false};
+  std::array<double, 3> up{0, 1, 0}; ///< against gravity, along an axis; y without gravity
 
   // === What
   double particle_spacing = 0; ///< mean distance of neighbours at seeding: dx / particles per axis
@@ -81,6 +83,7 @@ struct Snapshot {
   std::vector<std::uint32_t> id;
   std::vector<Channel> channels;
   std::vector<LatticeData> lattices;
+  std::vector<Solid> solids; ///< in the same coordinates as x
   std::shared_ptr<const History> history;
 
   [[nodiscard]] std::size_t particles() const { return id.size(); }

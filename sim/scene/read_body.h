@@ -3,19 +3,11 @@
 #pragma once
 
 #include "sim/scene/scene.h"
-
-#include <span>
-#include <string_view>
+#include "sim/scene/scene_files.h"
 
 namespace flipbook {
 
 /// The shape is null where a mistake was made.
-[[nodiscard]] Body read_body(const Node& table, Mistakes& mistakes);
-
-/// One shape that a scene can name.
-struct ShapeInfo {
-  std::string_view name, keys, help;
-};
-[[nodiscard]] std::vector<ShapeInfo> list_shapes();
+[[nodiscard]] Body read_body(const Node& table, SceneFiles& files, Mistakes& mistakes);
 
 } // namespace flipbook

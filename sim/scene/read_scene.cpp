@@ -3,6 +3,8 @@
 
 #include "sim/scene/assets.h"
 #include "sim/scene/read_body.h"
+#include "sim/scene/read_obstacle.h"
+#include "sim/scene/read_particle_source.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,18 +13,36 @@ namespace flipbook {
 namespace {
 
 const std::vector<std::string>& scene_keys() {
-  static const std::vector<std::string> keys{"name", "summary", "reference", "duration", "body"};
+  static const std::vector<std::string> keys{"name", "summary",   "reference", "duration",
+                                             "body", "particles", "obstacle"};
   return keys;
 }
 
-void add_bodies(const Node* list, Scene& scene, const Node& table, Mistakes& mistakes) {
-  if (!list) return mistakes.add("the scene has no fluid: it needs at least one [[body]]", table.where);
+/// read(entry) for each table of `[[key]]`.
+template <class Read>
+void each_table(const Node& scene, const std::string& key, const std::string& plural, Mistakes& mistakes, Read&& read) {
+  const Node* list = scene.find(key);
+  if (!list) return;
   if (list->type != Node::Type::list || list->items.empty())
-    return mistakes.add("bodies are written as [[body]]", list->where);
-  for (const Node& entry : list->items) {
-    Body body = read_body(entry, mistakes);
+    return mistakes.add(plural + " are written as [[" + key + "]]", list->where);
+  for (const Node& entry : list->items) read(entry);
+}
+
+void add_contents(const SceneText& text, Scene& scene, Mistakes& mistakes) {
+  const Node& table = text.table;
+  SceneFiles& files = *text.files;
+  if (!table.find("body") && !table.find("particles"))
+    mistakes.add("the scene has no fluid: it needs at least one [[body]] or [[particles]]", table.where);
+  each_table(table, "body", "bodies", mistakes, [&](const Node& entry) {
+    Body body = read_body(entry, files, mistakes);
     if (body.shape && body.velocity) scene.fluid.push_back(std::move(body));
-  }
+  });
+  each_table(table, "particles", "files of particles", mistakes, [&](const Node& entry) {
+    if (auto source = read_particle_source(entry, files, mistakes)) scene.particles.push_back(std::move(*source));
+  });
+  each_table(table, "obstacle", "obstacles", mistakes, [&](const Node& entry) {
+    if (auto obstacle = read_obstacle(entry, files, mistakes)) scene.obstacles.push_back(std::move(*obstacle));
+  });
 }
 
 /// The parameters among the entries of the scene, those of the view apart.
@@ -87,7 +107,7 @@ void apply(Settings& settings, std::span<const Assignment> changes, Mistakes& mi
 
 SceneText load_scene(const std::string& name_or_path, const std::string& base) {
   const auto path = find_asset("scenes", name_or_path, base);
-  if (path) return {stem(*path), parse_toml(read_text_file(*path), *path)};
+  if (path) return SceneText{stem(*path), parse_toml(read_text_file(*path), *path)};
   if (is_path(name_or_path)) throw UserError("there is no scene file \"" + name_or_path + "\"");
   throw UserError("there is no scene \"" + name_or_path + "\"", {}, nearest_name(name_or_path, list_scenes()));
 }
@@ -102,7 +122,7 @@ Scene make_scene(const SceneText& text, std::span<const Assignment> changes, Mis
   std::vector<Assignment> all = parameters(text.table, scene, mistakes);
   all.insert(all.end(), changes.begin(), changes.end());
   apply(scene.settings, all, mistakes);
-  add_bodies(text.table.find("body"), scene, text.table, mistakes);
+  add_contents(text, scene, mistakes);
   return scene;
 }
 
@@ -118,7 +138,7 @@ Scene read_scene(const std::string& name_or_path, std::span<const Assignment> ch
 }
 
 Scene parse_scene(std::string_view text, const std::string& file, std::span<const Assignment> changes) {
-  return make_scene({stem(file), parse_toml(text, file)}, changes);
+  return make_scene(SceneText{stem(file), parse_toml(text, file)}, changes);
 }
 
 std::vector<std::string> list_scenes() {

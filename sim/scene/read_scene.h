@@ -3,6 +3,7 @@
 #pragma once
 
 #include "sim/scene/scene.h"
+#include "sim/scene/scene_files.h"
 
 #include <span>
 #include <string>
@@ -14,6 +15,7 @@ namespace flipbook {
 struct SceneText {
   std::string name;
   Node table;
+  std::shared_ptr<SceneFiles> files = std::make_shared<SceneFiles>(); ///< what it names, read once for all its variants
 };
 
 /// Finds a scene by name, or by its path relative to `base`. Throws UserError with the nearest name.

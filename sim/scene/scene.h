@@ -3,7 +3,9 @@
 // that a shape does not list spans the domain.
 #pragma once
 
+#include "sim/boundary/obstacle.h"
 #include "sim/boundary/shape.h"
+#include "sim/files/particle_rows.h"
 #include "sim/scene/settings.h"
 #include "sim/scene/toml_reader.h"
 #include "sim/scene/velocity.h"
@@ -19,11 +21,20 @@ struct Body {
   VelocityPtr velocity;
 };
 
+/// Fluid whose particles come from a file.
+struct ParticleSource {
+  std::string file;                         ///< as it was opened
+  std::shared_ptr<const ParticleRows> rows; ///< world coordinates (metres, m/s), units and transform applied
+  Location where;                           ///< in the scene
+};
+
 struct Scene {
   std::string name, summary, reference;
   double duration = 2; ///< seconds worth watching
   Settings settings;
   std::vector<Body> fluid;
+  std::vector<ParticleSource> particles;
+  std::vector<Obstacle> obstacles;
   std::vector<Assignment> view; ///< `view.*` suggestions of the scene, for the program; unknown to the solver
 
   [[nodiscard]] Domain domain() const { return {settings.dim, settings.grid.size}; }

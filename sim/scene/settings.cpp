@@ -8,6 +8,8 @@ namespace flipbook {
 namespace {
 
 constexpr Option precisions[] = {{"single", "32-bit numbers: twice as fast"}, {"double", "64-bit numbers"}};
+constexpr Option presets[] = {{"none", "Flipbook's own method"},
+                              {"tutorial", "The fluid notes' program, step for step; PIC and FLIP, double, 3D"}};
 constexpr Option patterns[] = {{"regular", "At the centres of the sub-cells"},
                                {"jittered", "One at a random place in each sub-cell"}};
 constexpr Option locksteps[] = {{"shared", "One dt for all variants, the smallest that any of them needs"},
@@ -44,6 +46,13 @@ void GridSettings::describe(ParameterVisitor& v) {
            .max = 1e6,
            .effect = Effect::restart},
           size);
+  v.reals({.name = "origin",
+           .help = "World coordinates of the lower corner of the domain, in which files of particles and meshes are",
+           .unit = "m",
+           .min = -1e6,
+           .max = 1e6,
+           .effect = Effect::restart},
+          origin);
 }
 
 void SeedingSettings::describe(ParameterVisitor& v) {
@@ -111,6 +120,15 @@ void FluidSettings::describe(ParameterVisitor& v) {
          spacing);
 }
 
+std::array<double, 3> FluidSettings::up(int dim) const {
+  std::size_t axis = 1;
+  for (const std::size_t a : {std::size_t{0}, std::size_t{2}})
+    if (static_cast<int>(a) < dim && std::abs(gravity[a]) > std::abs(gravity[axis])) axis = a;
+  std::array<double, 3> direction{0, 0, 0};
+  direction[axis] = gravity[axis] > 0 ? -1 : 1;
+  return direction;
+}
+
 void PressureSettings::describe(ParameterVisitor& v) {
   v.choice({.name = "solver", .help = "How the pressure equation is solved"}, solver, solvers);
   v.real({.name = "tolerance",
@@ -138,6 +156,7 @@ void LedgerSettings::describe(ParameterVisitor& v) {
 
 void Settings::describe(ParameterVisitor& v) {
   v.integer({.name = "dim", .help = "2: a plane, 3: space", .min = 2, .max = 3, .effect = Effect::restart}, dim);
+  v.choice({.name = "preset", .help = "Whose algorithm runs", .effect = Effect::restart}, preset, presets);
   v.choice({.name = "precision", .help = "Numbers that the solver computes with", .effect = Effect::restart}, precision,
            precisions);
   v.group("grid", [&] { grid.describe(v); });

@@ -22,10 +22,12 @@ enum class Lockstep { shared, own };
 enum class Splitting { lie, midpoint };
 enum class Advection { rk1, rk2, rk3 };
 enum class Pattern { regular, jittered };
+enum class Preset { none, tutorial }; ///< whose algorithm runs: ours, or step for step that of the fluid notes
 
 struct GridSettings {
   std::array<int, 3> cells{64, 64, 64};
-  std::array<double, 3> size{1, 1, 1}; ///< metres
+  std::array<double, 3> size{1, 1, 1};   ///< metres
+  std::array<double, 3> origin{0, 0, 0}; ///< world coordinates of the domain's lower corner (m); only files know them
   void describe(ParameterVisitor& v);
 };
 
@@ -57,6 +59,8 @@ struct FluidSettings {
   Surface surface = Surface::ghost;
   double spacing = 0; ///< strength of the particle-spacing correction in [0, 1]; 0: off
   void describe(ParameterVisitor& v);
+  /// The axis that points against gravity the most, with its sign; y without gravity.
+  [[nodiscard]] std::array<double, 3> up(int dim) const;
 };
 
 struct PressureSettings {
@@ -74,6 +78,7 @@ struct LedgerSettings {
 
 struct Settings {
   int dim = 2;
+  Preset preset = Preset::none;
   Precision precision = Precision::single;
   GridSettings grid;
   SeedingSettings seeding;

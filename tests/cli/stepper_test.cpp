@@ -29,6 +29,7 @@ public:
   [[nodiscard]] std::shared_ptr<const Snapshot> snapshot(std::uint64_t, const FrameRequest&) override {
     return nullptr;
   }
+  [[nodiscard]] ParticleTable particle_table() const override { return {}; }
 
   std::vector<double> taken;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/scene/assets.h"
-#include "sim/scene/read_body.h"
 #include "sim/scene/read_scene.h"
+#include "sim/scene/read_shape.h"
 #include "sim/scene/seeding.h"
 #include "tests/unit/message.h"
 #include "tests/unit/temporary_file.h"
@@ -142,7 +142,7 @@ TEST(Scene, ReportsAllItsMistakes) {
 
 TEST(Scene, NeedsFluid) {
   EXPECT_EQ(message_of([] { (void)parse_scene("duration = 1\n", "s.toml"); }),
-            "s.toml:1:1: the scene has no fluid: it needs at least one [[body]]");
+            "s.toml:1:1: the scene has no fluid: it needs at least one [[body]] or [[particles]]");
   EXPECT_EQ(message_of([] { (void)parse_scene("body = []\n", "s.toml"); }),
             "s.toml:1:1: bodies are written as [[body]]");
 }
