@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The program: a table of commands, and the one place where failures become exit codes.
 #include "app/commands/command.h"
+#include "app/commands/complete.h"
 #include "app/encode/provenance.h"
 #include "app/session/failure.h"
 #include "sim/frame/errors.h"
@@ -21,7 +22,7 @@ namespace flipbook::app {
 
 namespace {
 
-const std::array<CommandEntry, 6> table{{
+const std::array table = std::to_array<CommandEntry>({
     {"render", "Make a video (or frames) of a study or a scene",
      "Examples:\n  flipbook render dam_break\n  flipbook render my_study.toml -o film.mp4 -o frames/", make_render},
     {"compare", "The same scene with several schemes or parameter values, side by side",
@@ -31,17 +32,25 @@ const std::array<CommandEntry, 6> table{{
     {"still", "Single pictures at given times", "Examples:\n  flipbook still drop --at 0.2,0.4,0.6", make_still},
     {"verify", "Check the conservation properties of the transfers, one row for each",
      "Examples:\n  flipbook verify\n  flipbook verify --only angular --json", make_verify},
-    {"list", "List scenes, studies, schemes, kernels, parameters, views or commands",
-     "Examples:\n  flipbook list parameters", make_list},
+    {"new", "Write a scene or a study to start from",
+     "Examples:\n  flipbook new scene splash\n  flipbook new study splash_study --scene splash.toml", make_new},
+    {"import", "Turn the input of the fluid notes' program into a scene",
+     "Examples:\n  flipbook import fluid.json\n  flipbook import fluid.json --preset tutorial --study", make_import},
+    {"list", "List every name: scenes, schemes, shapes, parameters, ...",
+     "Examples:\n  flipbook list scenes\n  flipbook list parameters", make_list},
     {"info", "Show what a picture says about itself",
      "Examples:\n  flipbook info frame_000012.png\n  flipbook info frame_000012.png --study -o study.toml", make_info},
-}};
+    {"completion", "Print a script that completes command lines in a shell",
+     "Examples:\n  source <(flipbook completion bash)", make_completion},
+    {"man", "Print the manual page", "Examples:\n  flipbook man | man -l -", make_man},
+});
 
 void print_help(std::ostream& out) {
-  out << "Comparison videos of particle-grid simulations, from one text file, without a display.\n\n"
-         "Usage: flipbook COMMAND [OPTIONS]\n\nCommands:\n";
+  out << program_summary << ".\n\nUsage: flipbook COMMAND [OPTIONS]\n\nCommands:\n";
+  std::size_t width = 0;
+  for (const CommandEntry& c : table) width = std::max(width, c.name.size());
   for (const CommandEntry& c : table)
-    out << "  " << c.name << std::string(10 - c.name.size(), ' ') << c.summary << '\n';
+    out << "  " << c.name << std::string(width + 2 - c.name.size(), ' ') << c.summary << '\n';
   out << "\nOptions:\n  -h,--help   This text; flipbook COMMAND --help tells more\n"
          "  --version   Version and build level\n\nStart with: flipbook compare dam_break\n";
 }
@@ -50,6 +59,10 @@ int run(std::vector<std::string> arguments) {
   if (arguments.empty() || arguments[0] == "--help" || arguments[0] == "-h" || arguments[0] == "help") {
     print_help(arguments.empty() ? std::cerr : std::cout);
     return arguments.empty() ? 2 : 0;
+  }
+  if (arguments[0] == "complete") { // not for people: the scripts of `flipbook completion` ask
+    print_offer(std::cout, complete({arguments.begin() + 1, arguments.end()}));
+    return 0;
   }
   if (std::find(arguments.begin(), arguments.end(), "--version") != arguments.end()) {
     std::cout << "flipbook " << version() << " (" << build_level() << ")\n";

@@ -30,7 +30,8 @@ struct Frame {
   double duration = 0;     ///< of the whole run, for the plots' time axis
   std::vector<Pane> panes; ///< 1 to 12
   std::vector<PointerTarget>
-      pointer; ///< the pointer goes to the one with the largest grip; all 0 or empty: none is drawn
+      pointer;          ///< the pointer goes to the one with the largest grip; all 0 or empty: none is drawn
+  bool turning = false; ///< the timeline moves the camera around: the tank then keeps its size from frame to frame
   std::vector<std::string> warnings; ///< "panes 2 and 3 show identical particles"
 };
 

@@ -5,7 +5,8 @@
 #include "render/gui/painter.h"
 #include "render/gui/pointer.h"
 #include "render/gui/session.h"
-#include "render/views/particles.h"
+#include "render/views/discs.h"
+#include "render/views/space.h"
 
 #include <imgui.h>
 
@@ -36,9 +37,9 @@ const Widget* find_widget(const std::vector<Widget>& widgets, const PointerTarge
 } // namespace
 
 struct Renderer::Impl {
-  Impl(Context& context, int width, int height, PanelBuilder builder)
-      : gl(context), canvas(gl, width, height), fonts(point_size(width, height)), painter(gl, fonts), particles(gl),
-        panel(std::move(builder)) {}
+  Impl(Context& context, int width, int height, PanelBuilder builder, Workers workers)
+      : gl(context), canvas(gl, width, height), fonts(point_size(width, height)), painter(gl, fonts), discs(gl),
+        space(gl, std::move(workers)), panel(std::move(builder)) {}
 
   /// Runs the panel until the widget under the pointer knows it; returns where the pointer is.
   std::optional<gui::Hand> run_panel(gui::Session& session, const Frame& frame, const ViewSettings& view,
@@ -80,8 +81,13 @@ struct Renderer::Impl {
     gl.ClearColor(colours.page.r / 255.F, colours.page.g / 255.F, colours.page.b / 255.F, 1);
     gl.Clear(GL_COLOR_BUFFER_BIT);
     ink_layer(session, [&](gui::Ink& ink) { page.draw_under(ink); });
-    for (std::size_t i = 0; i < page.panes().size(); ++i)
-      particles.draw(page.panes()[i], page.values()[i], page.scale(), view.particle_size, canvas);
+    for (std::size_t i = 0; i < page.panes().size(); ++i) {
+      const PaneView& pane = page.panes()[i];
+      if (pane.camera)
+        space.draw(pane, page.values()[i], page.scale(), view.particle_size, colours, canvas);
+      else
+        discs.draw(pane, page.values()[i], page.scale(), view.particle_size, canvas);
+    }
     ink_layer(session, [&](gui::Ink& ink) { page.draw_over(ink); });
     const ImDrawData& widgets = session.data();
     for (int i = 0; i < widgets.CmdListsCount; ++i) painter.draw(*widgets.CmdLists[i], canvas);
@@ -102,13 +108,14 @@ struct Renderer::Impl {
   gl::Canvas canvas;
   gui::Fonts fonts;
   gui::Painter painter;
-  ParticleView particles;
+  DiscView discs;
+  SpaceView space;
   PanelBuilder panel;
   std::vector<TextBox> labels;
 };
 
-Renderer::Renderer(Context& context, int width, int height, PanelBuilder panel)
-    : impl_(std::make_unique<Impl>(context, width, height, std::move(panel))) {}
+Renderer::Renderer(Context& context, int width, int height, PanelBuilder panel, Workers workers)
+    : impl_(std::make_unique<Impl>(context, width, height, std::move(panel), std::move(workers))) {}
 Renderer::~Renderer() = default;
 
 Image Renderer::draw(const Frame& frame, const ViewSettings& view) {

@@ -9,6 +9,7 @@
 #include "render/shapes.h"
 #include "render/theme.h"
 #include "render/view_settings.h"
+#include "render/workers.h"
 
 #include <functional>
 #include <memory>
@@ -42,7 +43,8 @@ using PanelBuilder = std::function<void(const Frame&, const ViewSettings&, Panel
 class Renderer {
 public:
   /// The context must be current, and stay with this thread while the renderer is used. An empty `panel` draws none.
-  Renderer(Context& context, int width, int height, PanelBuilder panel);
+  /// `workers` help with what is computed before drawing.
+  Renderer(Context& context, int width, int height, PanelBuilder panel, Workers workers = {});
   ~Renderer();
   /// A pure function of its arguments: the same bytes whatever was drawn before.
   [[nodiscard]] Image draw(const Frame& frame, const ViewSettings& view);

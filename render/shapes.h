@@ -22,6 +22,14 @@ struct Rect {
   }
 };
 
+/// Whole pixels.
+struct Area {
+  int x = 0, y = 0, w = 0, h = 0;
+  [[nodiscard]] Rect rect() const {
+    return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(w), static_cast<float>(h)};
+  }
+};
+
 /// sRGB.
 struct Colour {
   std::uint8_t r = 0, g = 0, b = 0, a = 255;

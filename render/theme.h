@@ -10,9 +10,12 @@
 namespace flipbook::render {
 
 struct Palette {
-  Colour page, pane, text, muted; ///< backgrounds; text and secondary text
-  Colour line, grid, wall;        ///< separators, lattice lines, solid walls
-  Colour track, accent, grip;     ///< widgets: trough, filled part, handle
+  Colour page, pane, text, muted;                          ///< backgrounds; text and secondary text
+  Colour line, grid, wall;                                 ///< separators, lattice lines, solid walls
+  Colour track, accent, grip;                              ///< widgets: trough, filled part, handle
+  Colour floor, floor_grid, far_wall, far_edge, near_edge; ///< the tank of a 3D pane
+  Colour shadow;                                           ///< and how much of it the darkest has
+  Colour solid, outline;                                   ///< bodies in 3D; the outline of those in 2D
   Colour arrow, warning;
   std::array<Colour, 12> variants; ///< frame of a pane and its curves
   [[nodiscard]] Colour variant(std::size_t i) const { return variants[i % variants.size()]; }

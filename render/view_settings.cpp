@@ -18,11 +18,15 @@ void ViewSettings::describe(ParameterVisitor& v) {
          .help =
              "Ends of the colour scale that all panes share, in the unit of the quantity; equal ends: from the data."},
         range);
-    v.real({.name = "particle_size", .help = "Diameter of a disc in particle spacings.", .min = 0.05, .max = 20},
-           particle_size);
-    v.flag({.name = "walls", .help = "Draw the walls of the domain (dashes where it is periodic)."}, walls);
-    v.flag({.name = "grid", .help = "Draw the lines between cells."}, grid);
-    v.flag({.name = "arrows", .help = "Draw arrows of the grid velocity."}, arrows);
+    v.real(
+        {.name = "particle_size", .help = "Diameter of a disc or ball in particle spacings.", .min = 0.05, .max = 20},
+        particle_size);
+    describe_camera(v);
+    v.flag({.name = "walls",
+            .help = "Draw the walls of the domain, dashed where it is periodic; in 3D its edges and far walls."},
+           walls);
+    v.flag({.name = "grid", .help = "Draw the lines between cells; in 3D on the floor."}, grid);
+    v.flag({.name = "arrows", .help = "Draw arrows of the grid velocity (2D)."}, arrows);
     v.flag({.name = "captions", .help = "Show the step size and the number of steps below each pane."}, captions);
     v.flag({.name = "show_panel", .help = "Show the panel of parameters."}, show_panel);
     v.names({.name = "panel",
@@ -35,6 +39,28 @@ void ViewSettings::describe(ParameterVisitor& v) {
             .max = 0.6},
            plot_height);
   });
+}
+
+void ViewSettings::describe_camera(ParameterVisitor& v) {
+  v.real({.name = "azimuth",
+          .help = "Where the camera of 3D panes stands around the tank: 0 in front, 90 on the right.",
+          .unit = "degrees",
+          .min = -3600,
+          .max = 3600},
+         azimuth);
+  v.real({.name = "elevation",
+          .help = "How high the camera of 3D panes stands: 0 level, 90 straight above.",
+          .unit = "degrees",
+          .min = -90,
+          .max = 90},
+         elevation);
+  v.real({.name = "zoom", .help = "Magnification of 3D panes; 1: the whole tank fits its pane.", .min = 0.1, .max = 50},
+         zoom);
+  v.reals({.name = "target",
+           .help = "What the camera of 3D panes looks at, as fractions of the tank on each axis.",
+           .min = -10,
+           .max = 10},
+          target);
 }
 
 FrameRequest ViewSettings::request() const {

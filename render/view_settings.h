@@ -15,10 +15,13 @@ enum class Theme { light, dark };
 
 struct ViewSettings {
   Theme theme = Theme::dark;
-  int colour = 0;                    ///< index into the list of colour quantities (render/views/colour_by.h)
-  int map = 0;                       ///< index into the list of colour maps; the first, "auto", suits the quantity
-  std::array<double, 2> range{0, 0}; ///< of the shared colour scale; equal ends: found from the data
-  double particle_size = 1.5;        ///< diameter of a disc in particle spacings; above 1 closes the gaps
+  int colour = 0;                       ///< index into the list of colour quantities (render/views/colour_by.h)
+  int map = 0;                          ///< index into the list of colour maps; the first, "auto", suits the quantity
+  std::array<double, 2> range{0, 0};    ///< of the shared colour scale; equal ends: found from the data
+  double particle_size = 1.5;           ///< diameter of a disc in particle spacings; above 1 closes the gaps
+  double azimuth = -30, elevation = 20; ///< of the 3D camera, degrees (render/views/camera.h)
+  double zoom = 1;                      ///< 1: the whole domain fits its pane
+  std::array<double, 3> target{0.5, 0.5, 0.5}; ///< what the camera looks at, as fractions of the domain
   bool walls = true, grid = false, arrows = false;
   bool captions = true; ///< dt and steps below each pane
   bool show_panel = true;
@@ -29,6 +32,9 @@ struct ViewSettings {
   void describe(ParameterVisitor& v);
   /// What the simulation must publish for these settings.
   [[nodiscard]] FrameRequest request() const;
+
+private:
+  void describe_camera(ParameterVisitor& v);
 };
 
 } // namespace flipbook::render

@@ -2,8 +2,12 @@
 #include "sim/simulation.h"
 
 #include "sim/fluid/fluid_solver.h"
+#include "sim/scene/preset.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/seeding.h"
+#include "sim/tutorial/notes_input.h"
+#include "sim/tutorial/own_method.h"
+#include "sim/tutorial/tutorial_solver.h"
 
 namespace flipbook {
 namespace {
@@ -21,7 +25,8 @@ void check(const Settings& s) {
 
 template <int Dim, class Real> std::unique_ptr<Simulation> make_fluid(const Scene& scene, Pool& pool) {
   const Grid<Dim> grid = grid_of<Dim>(scene.settings);
-  return std::make_unique<FluidSolver<Dim, Real>>(scene.settings, seed_particles<Dim, Real>(scene, grid), pool);
+  return std::make_unique<FluidSolver<Dim, Real>>(scene.settings, seed_particles<Dim, Real>(scene, grid), pool,
+                                                  scene.obstacles);
 }
 
 template <int Dim> std::unique_ptr<Simulation> make_fluid(const Scene& scene, Pool& pool) {
@@ -29,10 +34,24 @@ template <int Dim> std::unique_ptr<Simulation> make_fluid(const Scene& scene, Po
                                                        : make_fluid<Dim, double>(scene, pool);
 }
 
+/// `preset = "tutorial"`: the fluid notes' algorithm, or ours on their input for a scheme that they do not have.
+std::unique_ptr<Simulation> make_tutorial(const Scene& scene, Pool& pool) {
+  if (runs_notes(scene.settings)) return std::make_unique<TutorialSolver>(scene, pool);
+  return std::make_unique<OwnMethod>(scene.settings, make_fluid<3, double>(without_solid_layer(scene), pool));
+}
+
 } // namespace
 
-std::unique_ptr<Simulation> make_simulation(const Scene& scene, Pool& pool) {
+void check_scene(const Scene& scene) {
   check(scene.settings);
+  if (scene.settings.preset != Preset::tutorial) return;
+  refuse_what_the_notes_lack(scene);
+  check_notes_particles(scene);
+}
+
+std::unique_ptr<Simulation> make_simulation(const Scene& scene, Pool& pool) {
+  check_scene(scene);
+  if (scene.settings.preset == Preset::tutorial) return make_tutorial(scene, pool);
   return scene.settings.dim == 2 ? make_fluid<2>(scene, pool) : make_fluid<3>(scene, pool);
 }
 

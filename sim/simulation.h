@@ -44,6 +44,10 @@ public:
   [[nodiscard]] virtual ParticleTable particle_table() const = 0;
 };
 
+/// Throws UserError for settings that cannot be run, and with preset = "tutorial" for particles that the notes' program
+/// could not start with. Makes nothing.
+void check_scene(const Scene& scene);
+
 /// Seeds the scene and makes its solver; throws UserError for a scene that cannot be run.
 [[nodiscard]] std::unique_ptr<Simulation> make_simulation(const Scene& scene, Pool& pool);
 

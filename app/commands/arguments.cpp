@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The only file that includes CLI11.
 #include "app/commands/command.h"
+#include "app/commands/option_list.h"
 #include "sim/frame/errors.h"
 
 #include <CLI/App.hpp>
@@ -18,16 +19,16 @@ class Builder final : public OptionVisitor {
 public:
   explicit Builder(CLI::App& parser) : parser_(parser) {}
 
-  void positional(const std::string& name, std::string& x, const std::string& help, bool required) override {
-    parser_.add_option(name, x, help)->required(required)->type_name("");
+  void positional(const Argument& what, std::string& x, const std::string& help, bool required) override {
+    parser_.add_option(what.name, x, help)->required(required)->type_name("");
   }
-  void text(const std::string& names, std::string& x, const std::string& value, const std::string& help) override {
-    parser_.add_option(names, x, help)->type_name(value)->take_last();
+  void text(const std::string& names, std::string& x, const Argument& value, const std::string& help) override {
+    parser_.add_option(names, x, help)->type_name(value.name)->take_last();
   }
-  void texts(const std::string& names, std::vector<std::string>& x, const std::string& value,
+  void texts(const std::string& names, std::vector<std::string>& x, const Argument& value,
              const std::string& help) override {
     parser_.add_option(names, x, help)
-        ->type_name(value)
+        ->type_name(value.name)
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   }
@@ -79,6 +80,7 @@ void refuse_empty_values(const CLI::App& parser) {
 bool parse_arguments(const CommandEntry& entry, Command& command, std::vector<std::string> arguments) {
   CLI::App parser(entry.summary + "\n", "flipbook " + entry.name);
   parser.allow_extras(); // to name the nearest option ourselves
+  parser.set_help_flag("-h,--help", help_of_help);
   parser.get_formatter()->column_width(32);
   parser.footer(entry.examples);
   Builder builder(parser);

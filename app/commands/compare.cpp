@@ -17,10 +17,11 @@ constexpr const char* standard_schemes = "pic,flip:0.97,flip:1,apic";
 class Compare final : public Command {
 public:
   void options(OptionVisitor& v) override {
-    v.positional("SCENE", scene_, "Name or path of a scene (or a study)");
-    v.text("--schemes", schemes_, "NAME[:NUMBER],...",
+    v.positional({"SCENE", Argument::Kind::study}, scene_, "Name or path of a scene (or a study)");
+    v.text("--schemes", schemes_, {"NAME[:NUMBER],...", Argument::Kind::schemes},
            "A pane for each scheme (flipbook list schemes); pic,flip:0.97,flip,apic unless --vary is given");
-    v.texts("--vary", vary_, "PATH=V,V,...", "A pane for each value of a parameter; repeated: for each combination");
+    v.texts("--vary", vary_, {"PATH=V,V,...", Argument::Kind::variation},
+            "A pane for each value of a parameter; repeated: for each combination");
     options_.describe(v);
   }
 

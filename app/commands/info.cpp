@@ -17,9 +17,9 @@ constexpr std::string_view prefix = "flipbook:", study_key = "flipbook:study";
 class Info final : public Command {
 public:
   void options(OptionVisitor& v) override {
-    v.positional("PICTURE", picture_, "A PNG picture made by this program");
+    v.positional({"PICTURE", Argument::Kind::file}, picture_, "A PNG picture made by this program");
     v.flag("--study", study_only_, "Write the study as TOML, to standard output or the file given with -o");
-    v.text("-o,--output", output_, "FILE", "Where --study goes");
+    v.text("-o,--output", output_, {"FILE", Argument::Kind::file}, "Where --study goes");
   }
 
   int run() override {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 // flipbook list WHAT: every name that a study or an option may use.
 #include "app/commands/command.h"
-#include "app/study/output_settings.h"
+#include "app/study/paths.h"
 #include "app/study/study.h"
 #include "render/view_settings.h"
+#include "sim/files/read_mesh.h"
+#include "sim/files/read_particles.h"
+#include "sim/files/write_particles.h"
 #include "sim/frame/errors.h"
 #include "sim/kernels/kernels.h"
 #include "sim/scene/read_scene.h"
+#include "sim/scene/read_shape.h"
 #include "sim/transfer/schemes.h"
 
 #include <algorithm>
@@ -56,26 +60,35 @@ std::string values(const Parameter& p) {
   return p.unit.empty() ? text : text + (text.empty() ? "" : " ") + p.unit;
 }
 
-void add_parameters(Rows& rows, const std::vector<Parameter>& all) {
-  for (const Parameter& p : all)
+void list_parameters() {
+  Rows rows{{"PATH", "DEFAULT", "VALUES", "WHEN", "MEANING"}};
+  for (const Parameter& p : known_parameters())
     rows.push_back({p.path, shortened(to_toml(p.value)), shortened(values(p)),
                     p.effect == Effect::live ? "live" : "start", p.help});
+  print(rows);
 }
 
-void list_parameters() {
-  Settings settings;
-  render::ViewSettings view;
-  OutputSettings output;
-  Rows rows{{"PATH", "DEFAULT", "VALUES", "WHEN", "MEANING"}};
-  add_parameters(rows, parameters_of(settings));
-  add_parameters(rows, parameters_of(view));
-  add_parameters(rows, parameters_of(output));
-  print(rows);
+/// What a scene is beyond water in a plane: "3D, obstacles". Only its text is looked at, not the files that it names.
+std::string kind_of(const Node& scene) {
+  std::string kind;
+  const auto add = [&](bool holds, const char* word) {
+    kind += holds ? (kind.empty() ? "" : ", ") + std::string(word) : "";
+  };
+  const Node* dim = scene.find("dim");
+  add(dim && dim->number == 3, "3D");
+  add(scene.find("obstacle") != nullptr, "obstacles");
+  add(scene.find("particles") != nullptr, "particles from a file");
+  return kind;
 }
 
 void list_scene_names() {
   Rows rows;
-  for (const std::string& name : list_scenes()) rows.push_back({name, read_scene(name).summary});
+  for (const std::string& name : list_scenes()) {
+    const Node scene = load_scene(name).table;
+    const Node* summary = scene.find("summary");
+    const std::string kind = kind_of(scene);
+    rows.push_back({name, (summary ? summary->text : "") + (kind.empty() ? "" : " (" + kind + ")")});
+  }
   print(rows);
 }
 
@@ -100,6 +113,27 @@ void list_kernels() {
   print(rows);
 }
 
+void list_shape_names() {
+  Rows rows;
+  for (const ShapeInfo& s : list_shapes())
+    rows.push_back({std::string(s.name), std::string(s.keys), std::string(s.help)});
+  print(rows);
+}
+
+/// What goes in and out as files, and how a study or the command line names it.
+void list_formats() {
+  Rows rows{{"WHAT", "FORMAT", "WHERE", "MEANING"}};
+  for (const Option& o : particle_input_options())
+    rows.push_back({"particles in", std::string(o.name), "[[particles]] file =", std::string(o.help)});
+  for (const Option& o : particle_format_options())
+    rows.push_back({"particles out", std::string(o.name), "--particle-format", std::string(o.help)});
+  for (const std::string_view extension : mesh_extensions)
+    rows.push_back({"meshes in", std::string(extension.substr(1)), "shape = \"mesh\"", "Closed triangle meshes"});
+  rows.push_back({"pictures out", "mp4", "-o X.mp4", "A video, encoded by ffmpeg"});
+  rows.push_back({"pictures out", "png", "-o FOLDER/", "A picture for each frame, which carries its study"});
+  print(rows);
+}
+
 /// What can be drawn: the options of the view's choices.
 void list_views() {
   render::ViewSettings view;
@@ -120,26 +154,34 @@ struct Subject {
   const char* name;
   void (*print)();
 };
-constexpr std::array<Subject, 7> subjects{{{"scenes", list_scene_names},
+constexpr std::array<Subject, 9> subjects{{{"scenes", list_scene_names},
                                            {"studies", list_study_names},
                                            {"schemes", list_schemes},
                                            {"kernels", list_kernels},
+                                           {"shapes", list_shape_names},
+                                           {"formats", list_formats},
                                            {"parameters", list_parameters},
                                            {"views", list_views},
                                            {"commands", list_commands}}};
 
+std::vector<std::string> subject_names() {
+  std::vector<std::string> names;
+  for (const Subject& s : subjects) names.emplace_back(s.name);
+  return names;
+}
+
 class List final : public Command {
 public:
   void options(OptionVisitor& v) override {
-    v.positional("WHAT", what_, "scenes, studies, schemes, kernels, parameters, views or commands");
+    std::string help;
+    for (const Subject& s : subjects)
+      help += (help.empty() ? "" : &s == &subjects.back() ? " or " : ", ") + std::string(s.name);
+    v.positional({"WHAT", Argument::Kind::choice, subject_names()}, what_, help);
   }
   int run() override {
-    std::vector<std::string> names;
-    for (const Subject& s : subjects) {
+    for (const Subject& s : subjects)
       if (what_ == s.name) return s.print(), 0;
-      names.emplace_back(s.name);
-    }
-    throw UserError("there is no list of \"" + what_ + "\"", {}, nearest_name(what_, names));
+    throw UserError("there is no list of \"" + what_ + "\"", {}, nearest_name(what_, subject_names()));
   }
 
 private:

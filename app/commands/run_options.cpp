@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <thread>
 
@@ -35,52 +36,76 @@ Value parse_extent(const std::string& text, const std::string& option, const std
   return numbers.size() == 1 ? Value(numbers.front()) : Value(numbers);
 }
 
+const std::array<std::string, 3> backends{"auto", "osmesa", "egl"};
+
 render::Backend parse_backend(const std::string& name) {
-  const std::array<std::string, 3> names{"auto", "osmesa", "egl"};
-  const auto at = std::find(names.begin(), names.end(), name);
-  if (at == names.end()) throw UserError("--gl " + name + ": it is auto, osmesa or egl", {}, nearest_name(name, names));
-  constexpr std::array backends{render::Backend::automatic, render::Backend::osmesa, render::Backend::egl};
-  return backends[static_cast<std::size_t>(at - names.begin())];
+  const auto at = std::find(backends.begin(), backends.end(), name);
+  if (at == backends.end())
+    throw UserError("--gl " + name + ": it is auto, osmesa or egl", {}, nearest_name(name, backends));
+  constexpr std::array all{render::Backend::automatic, render::Backend::osmesa, render::Backend::egl};
+  return all[static_cast<std::size_t>(at - backends.begin())];
 }
 
 void print_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& w : warnings) std::cerr << "warning: " << w << '\n';
 }
 
+std::string folder_of(const std::string& file) {
+  return std::filesystem::absolute(file).parent_path().string();
+}
+
+/// "12 steps of 0.01 to 0.02 s", "10 to 14 steps of ..."
+std::string steps_of(const Summary& s) {
+  std::string text = std::to_string(s.least_steps);
+  if (s.most_steps != s.least_steps) text += " to " + std::to_string(s.most_steps);
+  if (s.most_steps == 0) return text + " steps";
+  char length[64];
+  std::snprintf(length, sizeof length, " of %.3g to %.3g s", s.least_dt, s.most_dt);
+  return text + (s.most_steps == 1 ? " step" : " steps") + length;
+}
+
 void report(const Summary& s) {
   print_warnings(s.warnings);
   const double seconds = std::max(s.seconds, 1e-3);
   char text[256];
-  std::snprintf(text, sizeof text, "%llu picture%s in %.1f s (%.1f a second), %.2f million particle-steps/s",
-                static_cast<unsigned long long>(s.pictures), s.pictures == 1 ? "" : "s", s.seconds,
-                static_cast<double>(s.pictures) / seconds, 1e-6 * static_cast<double>(s.particle_steps) / seconds);
+  std::snprintf(text, sizeof text, "%llu %s%s in %.1f s (%.1f a second)", static_cast<unsigned long long>(s.pictures),
+                s.context.empty() ? "frame" : "picture", s.pictures == 1 ? "" : "s", s.seconds,
+                static_cast<double>(s.pictures) / seconds);
   std::cerr << text;
-  std::cerr << "; " << s.least_steps;
-  if (s.most_steps != s.least_steps) std::cerr << " to " << s.most_steps;
-  std::snprintf(text, sizeof text,
-                s.most_steps == 1 ? " step of %.3g to %.3g s; drawn with %s\n"
-                                  : " steps of %.3g to %.3g s; drawn with %s\n",
-                s.least_dt, s.most_dt, s.context.c_str());
-  std::cerr << (s.most_steps > 0 ? text : " steps; drawn with " + s.context + "\n");
+  if (s.particle_steps > 0) { // else nothing was simulated
+    std::snprintf(text, sizeof text, ", %.2f million particle-steps/s",
+                  1e-6 * static_cast<double>(s.particle_steps) / seconds);
+    std::cerr << text << "; " << steps_of(s);
+  }
+  std::cerr << (s.context.empty() ? "\n" : "; drawn with " + s.context + "\n");
 }
 
 } // namespace
 
 void RunOptions::describe(OptionVisitor& v, const std::string& outputs) {
-  v.texts("--set", sets_, "PATH=VALUE", "Give a parameter a value (flipbook list parameters); may be repeated");
-  v.text("--dim", dim_, "2|3", "Dimension");
-  v.text("--cells", cells_, "N[xN]", "Cells along x (and along the other axes)");
+  v.texts("--set", sets_, {"PATH=VALUE", Argument::Kind::assignment},
+          "Give a parameter a value (flipbook list parameters); may be repeated");
+  v.text("--dim", dim_, one_of({"2", "3"}), "Dimension; one scene serves both");
+  v.text("--cells", cells_, "N[xN[xN]]", "Cells along x; those along y and z follow, as cells are cubic, or are given");
   v.text("--frames", frames_, "N", "Number of frames");
   v.text("--duration", duration_, "S", "Seconds to simulate");
   v.text("--fps", fps_, "N", "Frames in a second of video");
   v.text("--size", size_, "WxH", "Width and height of a picture in pixels");
-  v.text("--precision", precision_, "single|double", "Numbers that the solvers compute with");
+  v.text("--precision", precision_, one_of({"single", "double"}), "Numbers that the solvers compute with");
   v.text("--threads", threads_, "N", "How many threads compute; the pictures do not depend on it");
-  v.text("--gl", gl_, "auto|osmesa|egl", "What draws; auto if not given: the first that works");
-  v.texts("-o,--output", outputs_, outputs,
+  v.text("--gl", gl_, one_of({backends.begin(), backends.end()}),
+         "What draws; auto if not given: the first that works");
+  v.texts("-o,--output", outputs_, {outputs, Argument::Kind::file},
           (outputs.find(".mp4") != std::string::npos ? "A video" : "A single picture") +
               std::string(", or a folder for PNG pictures; may be repeated (out/ if not given)"));
-  v.text("--save-study", save_study_, "FILE", "Write what was run as a study");
+  if (outputs.find(".mp4") != std::string::npos) {
+    std::vector<std::string> formats;
+    for (const Option& o : particle_format_options()) formats.emplace_back(o.name);
+    v.text("--particles", particles_, {"FOLDER", Argument::Kind::folder},
+           "Write the particles of every frame there; without -o nothing is drawn");
+    v.text("--particle-format", particle_format_, one_of(formats), "Format of these files");
+  }
+  v.text("--save-study", save_study_, {"FILE", Argument::Kind::file}, "Write what was run as a study");
   v.flag("-q,--quiet", quiet_, "Print nothing but the paths of the results");
 }
 
@@ -91,13 +116,18 @@ std::vector<Assignment> RunOptions::changes() const {
     all.push_back({path, std::move(value), {option, 0, 0}});
   };
   if (!dim_.empty()) add("--dim", "dim", parse_value(dim_));
-  if (!cells_.empty()) add("--cells", "grid.cells", parse_extent(cells_, "--cells", "N or NxN, for example 128x64"));
+  if (!cells_.empty())
+    add("--cells", "grid.cells", parse_extent(cells_, "--cells", "N, NxN or NxNxN, for example 128x64"));
   if (!frames_.empty()) add("--frames", "output.frames", parse_number(frames_, "--frames", 1, 1e6));
   if (!duration_.empty()) add("--duration", "output.duration", parse_number(duration_, "--duration", 1e-6, 1e6));
   if (!fps_.empty()) add("--fps", "output.fps", parse_value(fps_));
   if (!size_.empty())
     add("--size", "output.size", parse_extent(size_, "--size", "WxH in pixels, for example 1280x720"));
   if (!precision_.empty()) add("--precision", "precision", precision_);
+  if (!particle_format_.empty()) {
+    if (particles_.empty()) throw UserError("--particle-format belongs to --particles");
+    add("--particle-format", "output.particle_format", particle_format_);
+  }
   return all;
 }
 
@@ -126,8 +156,8 @@ SessionOptions RunOptions::session_options() const {
 
 int RunOptions::make_video(Study study) const {
   const auto video = [&](const Resolved& r, const std::string& toml) {
-    const std::vector<std::string> named = outputs_.empty() ? std::vector{"out/" + r.name + ".mp4"} : outputs_;
-    return video_sinks(named, r, toml);
+    const bool particles_only = outputs_.empty() && !particles_.empty();
+    return video_sinks(outputs_.empty() && !particles_only ? std::vector{"out/" + r.name + ".mp4"} : outputs_, r, toml);
   };
   return run(
       std::move(study), [](const Resolved& r) { return Schedule::video(r.output.fps, r.scale, r.frames); }, video,
@@ -145,19 +175,28 @@ int RunOptions::make_stills(Study study, const std::vector<double>& times) const
 }
 
 int RunOptions::run(Study study, const MakeSchedule& make_schedule, const MakeSinks& make_sinks, bool video) const {
-  const SessionOptions options = session_options();
+  (void)session_options(); // their mistakes come before the work
   const Resolved resolved = resolve(study);
   refuse_too_large(resolved);
   std::vector<std::string> warnings = drop_idle_keys(study, resolved);
   if (video)
     for (std::string& w : late_keys(study, resolved)) warnings.push_back(std::move(w));
   const std::string toml = to_toml(study);
-  if (!save_study_.empty()) write_file(save_study_, toml);
-  std::vector<std::unique_ptr<Sink>> sinks = make_sinks(resolved, toml);
+  if (!save_study_.empty()) write_file(save_study_, to_toml(for_folder(study, folder_of(save_study_))));
+  Outputs outputs{make_sinks(resolved, toml), nullptr};
+  if (!particles_.empty())
+    outputs.particles =
+        std::make_unique<SeriesWriter>(particles_, resolved, to_toml(for_folder(study, folder_of(particles_ + "/"))));
+  return finish(resolved, toml, make_schedule(resolved), std::move(outputs), warnings);
+}
+
+int RunOptions::finish(const Resolved& resolved, const std::string& toml, const Schedule& schedule, Outputs outputs,
+                       const std::vector<std::string>& warnings) const {
   std::vector<std::string> paths;
-  for (const auto& sink : sinks) paths.push_back(sink->path().string());
+  for (const auto& sink : outputs.pictures) paths.push_back(sink->path().string());
+  if (outputs.particles) paths.push_back(outputs.particles->folder().string());
   if (!quiet_) print_warnings(warnings);
-  const Summary summary = run_session(resolved, toml, make_schedule(resolved), std::move(sinks), options);
+  const Summary summary = run_session(resolved, toml, schedule, std::move(outputs), session_options());
   if (!quiet_) report(summary);
   for (const std::string& path : paths) std::cout << path << '\n';
   return 0;

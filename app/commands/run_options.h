@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/commands/command.h"
+#include "app/series/open_series.h"
 #include "app/session/session.h"
 #include "app/study/resolve.h"
 #include "app/study/study.h"
@@ -26,15 +27,24 @@ public:
   /// The same as single pictures at the given times.
   int make_stills(Study study, const std::vector<double>& times) const;
 
+  /// Draws a folder of particle files as a video or frames, or single pictures of the frames nearest to `times`.
+  int draw_series(const std::string& folder) const;
+  int draw_series(const std::string& folder, const std::vector<double>& times) const;
+
 private:
   using MakeSchedule = std::function<Schedule(const Resolved&)>;
   using MakeSinks = std::function<std::vector<std::unique_ptr<Sink>>(const Resolved&, const std::string& toml)>;
   int run(Study study, const MakeSchedule& make_schedule, const MakeSinks& make_sinks, bool video) const;
   [[nodiscard]] std::vector<Assignment> changes() const;
   [[nodiscard]] SessionOptions session_options() const;
+  [[nodiscard]] OpenedSeries opened(const std::string& folder) const;
+  int draw(const OpenedSeries& series, const Schedule& schedule, std::vector<std::unique_ptr<Sink>> pictures) const;
+  int finish(const Resolved& resolved, const std::string& toml, const Schedule& schedule, Outputs outputs,
+             const std::vector<std::string>& warnings) const;
 
   std::vector<std::string> sets_, outputs_;
-  std::string dim_, cells_, frames_, duration_, fps_, size_, precision_, threads_, gl_ = "auto", save_study_;
+  std::string dim_, cells_, frames_, duration_, fps_, size_, precision_, threads_, gl_ = "auto", save_study_,
+                                                                                   particles_, particle_format_;
   bool quiet_ = false;
 };
 

@@ -11,7 +11,8 @@ namespace {
 class Still final : public Command {
 public:
   void options(OptionVisitor& v) override {
-    v.positional("STUDY", study_, "Name or path of a study or a scene");
+    v.positional({"STUDY", Argument::Kind::study}, study_,
+                 "Name or path of a study or a scene, or a folder of particle files");
     v.text("--at", at_, "T,T,...", "Times in simulated seconds");
     options_.describe(v, "X.png|FOLDER/");
   }
@@ -20,6 +21,7 @@ public:
     constexpr double longest = 1e4;
     std::vector<double> times;
     for (const std::string& t : split_list(at_, "--at")) times.push_back(parse_number(t, "--at", 0, longest));
+    if (is_series(study_)) return options_.draw_series(study_, times);
     return options_.make_stills(options_.applied_to(read_study(study_)), times);
   }
 

@@ -123,16 +123,22 @@ void refuse_overlap(const Study& study, const std::vector<Changes>& panes) {
 void complete_cells(Assignment& change, const Study& study) {
   const double* along_x = std::get_if<double>(&change.value);
   if (change.path != "grid.cells" || !along_x) return;
-  const std::array<double, 3> size = resolve(study).variants.front().scene.settings.grid.size;
+  const Settings settings = resolve(study).variants.front().scene.settings;
+  const std::size_t axes = static_cast<std::size_t>(settings.dim);
+  const auto along = [&](std::size_t axis, double n) { return n * settings.grid.size[axis] / settings.grid.size[0]; };
   const auto whole = [&](double n) {
-    return std::abs(n * size[1] / size[0] - std::round(n * size[1] / size[0])) < 1e-6;
+    for (std::size_t a = 1; a < axes; ++a)
+      if (std::abs(along(a, n) - std::round(along(a, n))) > 1e-6) return false;
+    return true;
   };
   for (int k = 2; k <= 64 && !whole(*along_x); ++k)
     if (whole(k))
       throw UserError(to_toml(*along_x) + " cells along x would not be cubic in this domain: choose a multiple of " +
                           std::to_string(k),
                       change.where);
-  change.value = std::vector<double>{*along_x, std::round(*along_x * size[1] / size[0])};
+  std::vector<double> cells;
+  for (std::size_t a = 0; a < axes; ++a) cells.push_back(std::round(along(a, *along_x)));
+  change.value = std::move(cells);
 }
 
 Assignment parse_assignment(const std::string& text, const std::string& option) {

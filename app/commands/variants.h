@@ -33,8 +33,8 @@ void refuse_overlap(const Study& study, const std::vector<Changes>& panes);
 /// The parts between commas; those inside [] and quotes belong to their part. Throws UserError for an empty one.
 [[nodiscard]] std::vector<std::string> split_list(std::string_view text, const std::string& option);
 
-/// A single number for grid.cells means cells along x: gives y as many as its size wants (the scene reader does so for
-/// z).
+/// A single number for grid.cells means cells along x: gives the other axes as many as their sizes want. Throws
+/// UserError where these are not whole.
 void complete_cells(Assignment& change, const Study& study);
 
 /// `path=value`.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/driver.h"
 
+#include "app/series/playback.h"
 #include "app/session/queue.h"
 #include "sim/frame/errors.h"
 
@@ -30,10 +31,10 @@ std::size_t Bundle::bytes() const {
 }
 
 Driver::Driver(const Resolved& resolved, const Schedule& schedule, Budget& budget, Exchange<Bundle>& out,
-               std::function<bool()> stop)
+               std::function<bool()> stop, SeriesWriter* particles)
     : resolved_(resolved), request_(resolved.request()),
       commands_(resolved.timeline.commands(resolved.output.fps, resolved.scale, schedule.boundaries())),
-      schedule_(schedule), budget_(budget), out_(out), stop_(std::move(stop)) {}
+      schedule_(schedule), budget_(budget), out_(out), stop_(std::move(stop)), particles_(particles) {}
 
 void Driver::drive() {
   std::optional<Budget::Permit> permit(std::in_place, budget_);
@@ -49,6 +50,7 @@ void Driver::drive() {
     if (stop->boundary) apply_commands(stop->frame);
     Bundle bundle = look(pool, *stop);
     if (!stop->shown) continue;
+    if (particles_) write_particles(pool, bundle);
     permit.reset(); // the queue may be full, and whoever empties it needs the permit
     const std::size_t charge = queue_charge(bundle.bytes(), bundle_queue_bytes);
     if (!out_.put(std::move(bundle), charge)) break;
@@ -63,7 +65,8 @@ void Driver::make_variants(Pool& pool) {
   for (const ResolvedVariant& v : resolved_.variants) lockstep.push_back(v.scene.settings.time.lockstep);
   pool.each(static_cast<int>(simulations.size()), [&](int i) {
     const auto v = static_cast<std::size_t>(i);
-    simulations[v] = make_simulation(resolved_.variants[v].scene, pool);
+    const ResolvedVariant& variant = resolved_.variants[v];
+    simulations[v] = variant.recording ? play(variant.recording) : make_simulation(variant.scene, pool);
   });
   variants_ = std::make_unique<Stepper>(std::move(simulations), lockstep, pool);
 }
@@ -92,6 +95,11 @@ Bundle Driver::look(Pool& pool, const Stop& at) {
     bundle.snapshots[v] = (*variants_)[v].snapshot(at.frame, request_);
   });
   return bundle;
+}
+
+void Driver::write_particles(Pool& pool, const Bundle& bundle) {
+  particles_->write(
+      bundle.stop, bundle.snapshots, [&](std::size_t v) { return (*variants_)[v].particle_table(); }, pool);
 }
 
 } // namespace flipbook::app

@@ -3,6 +3,7 @@
 // to be drawn.
 #pragma once
 
+#include "app/series/series_writer.h"
 #include "app/session/schedule.h"
 #include "app/session/stepper.h"
 #include "app/study/resolve.h"
@@ -27,8 +28,9 @@ inline constexpr std::size_t bundle_queue_bytes = 64U << 20U;
 
 class Driver {
 public:
+  /// `particles` takes the particles of every frame that is shown; null: nobody does.
   Driver(const Resolved& resolved, const Schedule& schedule, Budget& budget, Exchange<Bundle>& out,
-         std::function<bool()> stop);
+         std::function<bool()> stop, SeriesWriter* particles);
 
   /// The whole run, on the calling thread; closes the exchange at the end.
   void drive();
@@ -39,6 +41,7 @@ private:
   void apply_commands(std::uint64_t frame);
   void apply(const Command& command);
   [[nodiscard]] Bundle look(Pool& pool, const Stop& at);
+  void write_particles(Pool& pool, const Bundle& bundle);
 
   const Resolved& resolved_;
   const FrameRequest request_;
@@ -47,6 +50,7 @@ private:
   Budget& budget_;
   Exchange<Bundle>& out_;
   std::function<bool()> stop_;
+  SeriesWriter* particles_;
   std::unique_ptr<Stepper> variants_;
   std::size_t next_command_ = 0;
   std::atomic<std::uint64_t> particle_steps_{0};

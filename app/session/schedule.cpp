@@ -27,7 +27,17 @@ Schedule Schedule::stills(double fps, double scale, std::vector<double> times) {
   return s;
 }
 
+Schedule Schedule::listed(const std::vector<double>& times, const std::vector<std::size_t>& shown) {
+  Schedule s(1, 1);
+  for (std::size_t k = 0; k < times.size(); ++k)
+    s.listed_.push_back({k, times[k], true, std::find(shown.begin(), shown.end(), k) != shown.end()});
+  while (!s.listed_.empty() && !s.listed_.back().shown) s.listed_.pop_back();
+  for (const Stop& stop : s.listed_) s.pictures_ += stop.shown ? 1 : 0;
+  return s;
+}
+
 std::uint64_t Schedule::boundaries() const {
+  if (!listed_.empty()) return listed_.size();
   if (!stills_) return pictures_;
   if (times_.empty()) return 0;
   auto k = static_cast<std::uint64_t>(times_.back() / scale_ * fps_) + 1; // but for rounding
@@ -36,6 +46,7 @@ std::uint64_t Schedule::boundaries() const {
 }
 
 std::optional<Stop> Schedule::next() {
+  if (!listed_.empty()) return frame_ < listed_.size() ? std::optional(listed_[frame_++]) : std::nullopt;
   if (!stills_) {
     if (frame_ == pictures_) return std::nullopt;
     const std::uint64_t k = frame_++;

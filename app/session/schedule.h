@@ -23,6 +23,9 @@ public:
   /// One picture for each time, up to the last.
   [[nodiscard]] static Schedule stills(double fps, double scale, std::vector<double> times);
 
+  /// Frames at times that follow no rule; `shown` holds the numbers of those that become pictures.
+  [[nodiscard]] static Schedule listed(const std::vector<double>& times, const std::vector<std::size_t>& shown);
+
   [[nodiscard]] std::optional<Stop> next();
   [[nodiscard]] std::uint64_t pictures() const { return pictures_; }
   [[nodiscard]] std::uint64_t boundaries() const; ///< frame boundaries that the run comes to
@@ -37,6 +40,7 @@ private:
   bool stills_ = false;
   std::vector<double> times_; ///< sorted, without repetition
   std::size_t at_ = 0;        ///< the next of them
+  std::vector<Stop> listed_;  ///< if there are any: instead of all that
 };
 
 } // namespace flipbook::app

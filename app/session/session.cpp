@@ -2,6 +2,7 @@
 #include "app/session/session.h"
 
 #include "app/panel/panel.h"
+#include "app/series/playback.h"
 #include "app/session/driver.h"
 #include "app/session/failure.h"
 #include "app/session/identical.h"
@@ -29,6 +30,8 @@ std::shared_ptr<const RunProvenance> describe_run(const Resolved& resolved, cons
   run->study = study;
   const auto seed = [](const ResolvedVariant& v) { return v.scene.settings.seeding.seed; };
   const auto& all = resolved.variants;
+  const auto unknown = [](const ResolvedVariant& v) { return v.recording && v.recording->variant.parameters.empty(); };
+  if (std::any_of(all.begin(), all.end(), unknown)) return run; // particles of another program
   const bool same = std::all_of(all.begin(), all.end(), [&](auto& v) { return seed(v) == seed(all.front()); });
   for (const ResolvedVariant& v : std::span(all).first(same ? 1 : all.size()))
     run->seeds += (run->seeds.empty() ? "" : ", ") + std::to_string(seed(v));
@@ -37,23 +40,28 @@ std::shared_ptr<const RunProvenance> describe_run(const Resolved& resolved, cons
 
 class Session {
 public:
-  Session(const Resolved& resolved, const std::string& study, const Schedule& schedule, const SessionOptions& options)
+  Session(const Resolved& resolved, const std::string& study, const Schedule& schedule, Outputs outputs,
+          const SessionOptions& options)
       : resolved_(resolved), provenance_(describe_run(resolved, study)), pictures_(schedule.pictures()),
-        options_(options), budget_(thread_count(options.threads)),
-        driver_(resolved, schedule, budget_, exchange_, [this] { return must_stop(); }) {
+        options_(options), budget_(thread_count(options.threads)), particles_(std::move(outputs.particles)),
+        driver_(
+            resolved, schedule, budget_, exchange_, [this] { return must_stop(); }, particles_.get()) {
+    for (auto& sink : outputs.pictures)
+      sinks_.push_back(std::make_unique<SinkThread>(std::move(sink), budget_, failure_));
     // llvmpipe would start threads of its own, outside the budget.
     render::set_draw_threads(1);
     catch_signals();
   }
 
-  Summary run(std::vector<std::unique_ptr<Sink>> sinks) {
-    for (auto& sink : sinks) sinks_.push_back(std::make_unique<SinkThread>(std::move(sink), budget_, failure_));
-    draw_all();
+  Summary run() {
+    sinks_.empty() ? draw_none() : draw_all();
     for (auto& s : sinks_) s->drain();
     summary_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     must_stop(); // a signal may have come during the last frames
     failure_.rethrow();
+    if (particles_) particles_->finish();
     for (auto& s : sinks_) s->sink().commit();
+    if (particles_) particles_->commit();
     return summary_;
   }
 
@@ -64,7 +72,9 @@ private:
     try {
       const auto context = render::Context::create(options_.gl);
       summary_.context = context->name();
-      render::Renderer renderer(*context, resolved_.output.size[0], resolved_.output.size[1], make_panel());
+      Pool pool(budget_); // free permits help to find out what is seen; who draws holds one of them
+      const render::Workers workers = [&pool](int chunks, const auto& body) { pool.each(chunks, body); };
+      render::Renderer renderer(*context, resolved_.output.size[0], resolved_.output.size[1], make_panel(), workers);
       simulating = std::thread([this] { simulate(); });
       Progress progress(pictures_, options_.quiet);
       while (const auto bundle = exchange_.take()) {
@@ -77,6 +87,20 @@ private:
     }
     exchange_.close();
     if (simulating.joinable()) simulating.join();
+    summary_.particle_steps = driver_.particle_steps();
+  }
+
+  /// Only particles are wanted: no context is needed, and this thread counts the frames.
+  void draw_none() {
+    std::thread simulating([this] { simulate(); });
+    Progress progress(pictures_, options_.quiet);
+    while (const auto bundle = exchange_.take()) {
+      if (must_stop()) break;
+      summarise(*bundle, compose(*bundle));
+      progress.update(summary_.pictures, driver_.particle_steps());
+    }
+    exchange_.close();
+    simulating.join();
     summary_.particle_steps = driver_.particle_steps();
   }
 
@@ -114,6 +138,7 @@ private:
     const std::vector<std::string> titles = pane_titles(panes);
     for (std::size_t i = 0; i < titles.size(); ++i) frame.panes.push_back({titles[i], bundle.snapshots[i]});
     frame.pointer = resolved_.timeline.pointer_targets(bundle.stop.time, resolved_.scale);
+    frame.turning = resolved_.timeline.moves("view.azimuth") || resolved_.timeline.moves("view.elevation");
     frame.warnings = identical_.warnings(bundle.snapshots);
     return frame;
   }
@@ -144,6 +169,7 @@ private:
   Failure failure_;
   Budget budget_;
   Exchange<Bundle> exchange_{bundle_queue_bytes};
+  std::unique_ptr<SeriesWriter> particles_;
   Driver driver_;
   std::vector<std::unique_ptr<SinkThread>> sinks_;
   IdenticalPanes identical_;
@@ -153,9 +179,9 @@ private:
 
 } // namespace
 
-Summary run_session(const Resolved& resolved, const std::string& study, const Schedule& schedule,
-                    std::vector<std::unique_ptr<Sink>> sinks, const SessionOptions& options) {
-  return Session(resolved, study, schedule, options).run(std::move(sinks));
+Summary run_session(const Resolved& resolved, const std::string& study, const Schedule& schedule, Outputs outputs,
+                    const SessionOptions& options) {
+  return Session(resolved, study, schedule, std::move(outputs), options).run();
 }
 
 } // namespace flipbook::app

@@ -31,7 +31,7 @@ Stepper::Stepper(std::vector<std::unique_ptr<Simulation>> simulations, const std
     : simulations_(std::move(simulations)), pool_(pool) {
   Group shared;
   for (std::size_t i = 0; i < simulations_.size(); ++i) {
-    if (lockstep[i] == Lockstep::shared)
+    if (lockstep[i] == Lockstep::shared && simulations_[i]->fixed_dt() <= 0)
       shared.push_back(simulations_[i].get());
     else
       groups_.push_back({simulations_[i].get()});
@@ -47,7 +47,19 @@ bool Stepper::advance_to(double t, const std::function<bool()>& stop) {
   return arrived;
 }
 
+bool Stepper::advance_in_whole_steps(Simulation& simulation, double t, const std::function<bool()>& stop) {
+  const double dt = simulation.fixed_dt(), steps = std::round((t - simulation.time()) / dt);
+  if (!(steps <= most_steps)) refuse(simulation, dt);
+  for (double k = 0; k < steps; ++k) {
+    if (stop()) return false;
+    simulation.step(dt);
+    particle_steps_ += simulation.particles();
+  }
+  return true;
+}
+
 bool Stepper::advance(Group& group, double t, const std::function<bool()>& stop) {
+  if (group[0]->fixed_dt() > 0) return advance_in_whole_steps(*group[0], t, stop);
   for (double remaining = t - group[0]->time(); remaining > 0;) {
     if (stop()) return false;
     const double dt = shared_dt(group, remaining);

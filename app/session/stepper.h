@@ -2,7 +2,8 @@
 // Steps the variants of a run side by side. With time.lockstep = "shared" they take the same steps,
 //   dt = remaining / ceil(remaining / dt_max),  dt_max = min over the variants of what each may take,
 // because the effect of a transfer acts once per step: different step counts would compare step counts. With "own" each
-// variant chooses its own steps and they meet at the frames.
+// variant chooses its own steps and they meet at the frames. A variant whose steps have a fixed length takes whole
+// ones, on its own, up to the one that ends nearest to the frame.
 #pragma once
 
 #include "sim/core/parallel.h"
@@ -21,7 +22,8 @@ public:
   /// `lockstep` has an entry for each simulation.
   Stepper(std::vector<std::unique_ptr<Simulation>> simulations, const std::vector<Lockstep>& lockstep, Pool& pool);
 
-  /// Advances every variant to the time t exactly. Looks at `stop` between steps and gives up when it is set: false.
+  /// Advances every variant to the time t: exactly, or to the whole step that ends nearest to it. Looks at `stop`
+  /// between steps and gives up when it is set: false.
   bool advance_to(double t, const std::function<bool()>& stop);
 
   [[nodiscard]] std::size_t size() const { return simulations_.size(); }
@@ -31,6 +33,7 @@ public:
 private:
   using Group = std::vector<Simulation*>; ///< those that share their steps
   bool advance(Group& group, double t, const std::function<bool()>& stop);
+  bool advance_in_whole_steps(Simulation& simulation, double t, const std::function<bool()>& stop);
   [[nodiscard]] double shared_dt(Group& group, double remaining) const;
 
   std::vector<std::unique_ptr<Simulation>> simulations_;

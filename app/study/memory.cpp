@@ -15,6 +15,7 @@ namespace {
 double filled(const Scene& scene) {
   const Domain domain = scene.domain();
   const int dim = scene.settings.dim, n = dim == 2 ? 256 : 48, nz = dim == 2 ? 1 : n;
+  if (scene.fluid.empty()) return 0;
   int inside = 0;
   for (int k = 0; k < nz; ++k)
     for (int j = 0; j < n; ++j)
@@ -25,6 +26,15 @@ double filled(const Scene& scene) {
                               [&](const Body& b) { return b.shape->contains(p, domain); });
       }
   return static_cast<double>(inside) / (static_cast<double>(n) * n * nz);
+}
+
+constexpr double row_bytes_of_file = 48; // x and v, shared by all variants
+
+/// The particles that come from files.
+double rows_of(const Scene& scene) {
+  double rows = 0;
+  for (const ParticleSource& source : scene.particles) rows += static_cast<double>(source.rows->size());
+  return rows;
 }
 
 /// x, v, m, the affine state and a column to sort with; id, cell, source and their copy; where it started; its
@@ -53,12 +63,15 @@ std::string gigabytes(double bytes) {
 
 Need memory_need(const Resolved& resolved) {
   Need need;
+  if (!resolved.variants.empty()) need.bytes = row_bytes_of_file * rows_of(resolved.variants.front().scene);
   for (const ResolvedVariant& v : resolved.variants) {
     const Settings& s = v.scene.settings;
     const double real = s.precision == Precision::single ? 4 : 8;
     double cells = 1;
     for (int d = 0; d < s.dim; ++d) cells *= s.grid.cells[static_cast<std::size_t>(d)];
-    const double wet = cells * filled(v.scene), particles = wet * std::pow(s.seeding.per_axis, s.dim);
+    const double in_cell = std::pow(s.seeding.per_axis, s.dim), rows = rows_of(v.scene);
+    const double particles = cells * filled(v.scene) * in_cell + rows;
+    const double wet = std::min(cells, particles / in_cell); // rows fill cells as seeded particles do
     need.cells += cells;
     need.particles += particles;
     need.bytes +=

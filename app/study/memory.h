@@ -2,8 +2,8 @@
 // How much memory a run needs, told before it takes any: a machine that swaps or kills helps nobody.
 //
 // The estimate, for each variant: particles x bytes + cells x bytes, where the particles are the volume of the bodies
-// (sampled) times seeding.per_axis^dim in a cell. What each costs is counted from the arrays that a run holds, see
-// memory.cpp; pictures and queues are bounded and left out.
+// (sampled) times seeding.per_axis^dim in a cell, and the rows of files. What each costs is counted from the arrays
+// that a run holds, see memory.cpp; pictures and queues are bounded and left out.
 #pragma once
 
 #include "app/study/resolve.h"

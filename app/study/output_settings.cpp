@@ -14,6 +14,8 @@ void OutputSettings::describe(ParameterVisitor& v) {
               frames);
     v.integer({.name = "crf", .help = "Quality of a video: 0 without loss, 18 good, 51 worst", .min = 0, .max = 51},
               crf);
+    v.choice({.name = "particle_format", .help = "Format of the files of particles (--particles)"}, particle_format,
+             particle_format_options());
   });
 }
 

@@ -2,6 +2,7 @@
 // What comes out of a run, apart from where to: the parameters below `output.`.
 #pragma once
 
+#include "sim/files/write_particles.h"
 #include "sim/frame/parameters.h"
 
 #include <array>
@@ -15,6 +16,7 @@ struct OutputSettings {
   double duration = 0;                ///< seconds simulated; 0: the scene's
   int frames = 0;                     ///< 0: as many as the duration needs
   int crf = 18;                       ///< quality of the video
+  ParticleFormat particle_format = ParticleFormat::csv;
 
   void describe(ParameterVisitor& v);
 };

@@ -10,9 +10,9 @@
 namespace flipbook::app {
 namespace {
 
-template <Described T> void add_paths(std::vector<std::string>& paths) {
+template <Described T> void add_parameters(std::vector<Parameter>& all) {
   T component;
-  for (const Parameter& p : parameters_of(component)) paths.push_back(p.path);
+  for (Parameter& p : parameters_of(component)) all.push_back(std::move(p));
 }
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
@@ -25,8 +25,10 @@ bool names(const std::string& wanted, const std::string& path) {
 }
 
 Refusal check_panel(const std::vector<std::string>& panel) {
-  std::vector<std::string> shown; // only what a solver has can be shown
-  add_paths<Settings>(shown);
+  std::vector<Parameter> solver; // only what a solver has can be shown
+  add_parameters<Settings>(solver);
+  std::vector<std::string> shown;
+  for (const Parameter& p : solver) shown.push_back(p.path);
   for (const std::string& wanted : panel)
     if (std::none_of(shown.begin(), shown.end(), [&](const std::string& path) { return names(wanted, path); }))
       return {"view.panel: no parameter is called \"" + wanted + "\"", nearest_name(wanted, shown)};
@@ -42,12 +44,18 @@ Refusal check_plots(const std::vector<std::string>& plots) {
 
 } // namespace
 
+std::vector<Parameter> known_parameters() {
+  std::vector<Parameter> all;
+  add_parameters<Settings>(all);
+  add_parameters<render::ViewSettings>(all);
+  add_parameters<OutputSettings>(all);
+  return all;
+}
+
 const std::vector<std::string>& known_paths() {
   static const std::vector<std::string> all = [] {
     std::vector<std::string> paths;
-    add_paths<Settings>(paths);
-    add_paths<render::ViewSettings>(paths);
-    add_paths<OutputSettings>(paths);
+    for (const Parameter& p : known_parameters()) paths.push_back(p.path);
     return paths;
   }();
   return all;

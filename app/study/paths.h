@@ -13,7 +13,9 @@
 
 namespace flipbook::app {
 
-/// Every path, in the order in which the parameters are described.
+/// Every parameter with its default, in the order in which they are described.
+[[nodiscard]] std::vector<Parameter> known_parameters();
+/// The path of each.
 [[nodiscard]] const std::vector<std::string>& known_paths();
 
 [[nodiscard]] bool is_view(std::string_view path);

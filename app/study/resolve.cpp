@@ -3,6 +3,7 @@
 
 #include "app/study/paths.h"
 #include "app/study/titles.h"
+#include "sim/scene/preset.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ void resolve_variants(const Study& study, Resolved& resolved, Mistakes& mistakes
     std::vector<Assignment> changes = checked(study.parameters, check_path, keys_of_a_study, mistakes);
     const auto own = checked(v.parameters, check_pane_path, keys_of_a_variant, mistakes);
     changes.insert(changes.end(), own.begin(), own.end());
-    resolved.variants.push_back({v.label, make_scene(study.scene, changes, mistakes)});
+    resolved.variants.push_back({v.label, make_scene(study.scene, changes, mistakes), nullptr});
   }
   for (const ResolvedVariant& v : resolved.variants)
     if (v.scene.settings.time.scale != resolved.variants.front().scene.settings.time.scale)
@@ -53,7 +54,7 @@ std::vector<KeyTarget> key_targets(const Resolved& resolved) {
   std::vector<TitledPane> panes;
   for (const ResolvedVariant& v : resolved.variants) {
     Settings settings = v.scene.settings;
-    panes.push_back({"", settings.transfer.title(), parameters_of(settings)});
+    panes.push_back({"", title_of(settings), parameters_of(settings)});
   }
   const std::vector<std::string> titles = pane_titles(panes);
   std::vector<KeyTarget> targets;
@@ -84,6 +85,37 @@ void resolve_view(const Study& study, Resolved& resolved, Mistakes& mistakes) {
   mistakes.add(mistake.refusal.message, at == all.rend() ? Location{} : at->where, mistake.refusal.nearest);
 }
 
+/// Simulated seconds from one frame to the next where the fluid notes' rule decides; 0 where it does not.
+double notes_interval(const Study& study, const Resolved& resolved, Mistakes& mistakes) {
+  double interval = 0;
+  for (std::size_t i = 0; i < resolved.variants.size(); ++i) {
+    const Settings& s = resolved.variants[i].scene.settings;
+    if (s.preset != Preset::tutorial) continue;
+    const double own = notes_steps_per_frame(s.time.scale / resolved.output.fps, s.time.dt) * s.time.dt;
+    if (interval > 0 && own != interval)
+      mistakes.add("with preset = \"tutorial\" the length of a step decides when a frame is shown: time.dt must be the "
+                   "same for all variants",
+                   study.variants[i].where);
+    interval = own;
+  }
+  return interval;
+}
+
+void resolve_length(const Scene& scene, double notes, Resolved& r) {
+  r.scale = notes > 0 ? notes * r.output.fps : scene.settings.time.scale;
+  const double duration = r.output.duration > 0 ? r.output.duration : scene.duration;
+  const double intervals = duration / r.scale * r.output.fps;
+  constexpr double rounding = 1e-9; // the notes' program writes a frame at every interval that begins
+  const double frames = notes > 0 ? std::ceil(intervals * (1 - rounding)) : std::round(intervals);
+  constexpr double most_frames = 1e6;
+  if (r.output.frames == 0 && frames > most_frames)
+    throw UserError("the run would have " + std::to_string(std::llround(frames)) +
+                    " frames; at most 1000000 are supported");
+  r.frames = r.output.frames > 0 ? static_cast<std::uint64_t>(r.output.frames)
+                                 : static_cast<std::uint64_t>(std::max(frames, 1.0));
+  r.duration = r.time_of(r.frames);
+}
+
 std::string counted(std::size_t n, const std::string& one, const std::string& many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
@@ -103,20 +135,12 @@ Resolved resolve(const Study& study) {
   resolve_view(study, resolved, mistakes);
   apply_to(resolved.output, checked(study.output, check_path, {}, mistakes), mistakes);
   mistakes.raise();
+  const double notes = notes_interval(study, resolved, mistakes);
 
   resolved.timeline = Timeline(study.keys, key_targets(resolved), resolved.view, study.overridden, mistakes);
   mistakes.raise();
 
-  resolved.scale = scene.settings.time.scale;
-  const double duration = resolved.output.duration > 0 ? resolved.output.duration : scene.duration;
-  const double frames = std::round(duration / resolved.scale * resolved.output.fps);
-  constexpr double most_frames = 1e6;
-  if (resolved.output.frames == 0 && frames > most_frames)
-    throw UserError("the run would have " + std::to_string(std::llround(frames)) +
-                    " frames; at most 1000000 are supported");
-  resolved.frames = resolved.output.frames > 0 ? static_cast<std::uint64_t>(resolved.output.frames)
-                                               : static_cast<std::uint64_t>(std::max(frames, 1.0));
-  resolved.duration = resolved.time_of(resolved.frames);
+  resolve_length(scene, notes, resolved);
   return resolved;
 }
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A study with every name looked up, every value checked and every default filled in.
+//
+// Frames are time.scale / output.fps simulated seconds apart. With preset = "tutorial" they are n dt apart, n being the
+// number of steps that the fluid notes' rule makes of that interval, so that every frame ends a step.
 #pragma once
 
 #include "app/study/output_settings.h"
@@ -8,14 +11,18 @@
 #include "render/view_settings.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace flipbook::app {
 
+struct Recording; // app/series/playback.h
+
 struct ResolvedVariant {
   std::string label; ///< empty: the title comes from the solver
   Scene scene;
+  std::shared_ptr<const Recording> recording = nullptr; ///< read instead of simulating the scene; null: simulated
 };
 
 struct Resolved {

@@ -52,9 +52,11 @@ struct Study {
 /// A change from the command line: it overrides what the study says for all and for single variants.
 void assign(Study& study, Assignment change);
 
-/// The study as one text that needs no other file, with what is explicit in a fixed order. Reads back to the same
-/// study.
+/// The study as one text with what is explicit in a fixed order. It needs no other file but those of particles and
+/// meshes, which it names as the scene does. Reads back to the same study.
 [[nodiscard]] std::string to_toml(const Study& study);
+/// The study for a text in `folder`: relative paths of the scene's files are rewritten so that they still find them.
+[[nodiscard]] Study for_folder(Study study, const std::string& folder);
 
 /// The names of all studies.
 [[nodiscard]] std::vector<std::string> list_studies();

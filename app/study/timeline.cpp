@@ -187,6 +187,10 @@ render::ViewSettings Timeline::view(double time, const render::ViewSettings& ini
   return view;
 }
 
+bool Timeline::moves(const std::string& path) const {
+  return std::any_of(tracks_.begin(), tracks_.end(), [&](const Track& t) { return t.path == path; });
+}
+
 FrameRequest Timeline::request(const render::ViewSettings& initial) const {
   FrameRequest all = initial.request();
   // What is published depends on choices and flags, and those only change where a move begins or ends.

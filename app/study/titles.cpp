@@ -65,6 +65,7 @@ std::string value_words(const Parameter& p) {
 
 std::string words(const Parameter& p) {
   if (p.path == "time.dt" && p.value == Value(0.0)) return "";
+  if (p.path == "preset") return p.value == Value("none") ? "Flipbook's method" : "the notes' method";
   const std::string value = value_words(p);
   for (const Phrase& phrase : phrases) {
     if (phrase.path != p.path) continue;

@@ -3,11 +3,15 @@
 
 #include "app/study/output_settings.h"
 #include "render/view_settings.h"
+#include "sim/scene/assets.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace flipbook::app {
 namespace {
+
+namespace fs = std::filesystem;
 
 std::string line(const std::string& path, const std::string& value) {
   std::string keys;
@@ -44,17 +48,40 @@ void write_entries(const Node& node, const std::string& path, std::string& text)
   for (const Node& n : node.items) write_entries(n, path.empty() ? n.key : path + "." + n.key, text);
 }
 
+/// [[body]], [[particles]], ...
+bool lists_tables(const Node& entry) {
+  return entry.type == Node::Type::list && !entry.items.empty() &&
+         std::all_of(entry.items.begin(), entry.items.end(), [](auto& n) { return n.type == Node::Type::table; });
+}
+
 std::string scene_text(const SceneText& scene) {
   std::string text = "\n[scene]\n" + line("name", to_toml(Value(scene.name)));
   for (const Node& entry : scene.table.items)
-    if (entry.key != "body" && entry.key != "name") write_entries(entry, entry.key, text);
-  const Node* bodies = scene.table.find("body");
-  if (!bodies) return text;
-  for (const Node& body : bodies->items) {
-    text += "\n[[scene.body]]\n";
-    for (const Node& entry : body.items) text += line(entry.key, to_toml(entry));
+    if (!lists_tables(entry) && entry.key != "name") write_entries(entry, entry.key, text);
+  for (const Node& list : scene.table.items) {
+    if (!lists_tables(list)) continue;
+    for (const Node& table : list.items) {
+      text += "\n[[scene." + toml_key(list.key) + "]]\n";
+      for (const Node& entry : table.items) text += line(entry.key, to_toml(entry));
+    }
   }
   return text;
+}
+
+/// The same file named from `folder`.
+std::string moved(std::string_view kind, const Node& name, const fs::path& folder) {
+  if (fs::path(name.text).is_absolute()) return name.text;
+  const fs::path file = find_input(kind, name.text, name.where);
+  std::error_code none;
+  if (fs::equivalent(folder / name.text, file, none)) return name.text;
+  const fs::path path = fs::relative(file, folder, none);
+  return (path.empty() ? fs::absolute(file) : path).generic_string();
+}
+
+/// Shapes may lie within shapes: every `file` below the node.
+void move_files(std::string_view kind, Node& node, const fs::path& folder) {
+  if (node.key == "file" && node.type == Node::Type::text) node.text = moved(kind, node, folder);
+  for (Node& n : node.items) move_files(kind, n, folder);
 }
 
 std::string key_text(const Key& key) {
@@ -84,6 +111,12 @@ std::string to_toml(const Study& study) {
   }
   for (const Key& key : study.keys) text += key_text(key);
   return text;
+}
+
+Study for_folder(Study study, const std::string& folder) {
+  for (Node& entry : study.scene.table.items)
+    if (lists_tables(entry)) move_files(entry.key == "particles" ? "particles" : "meshes", entry, fs::absolute(folder));
+  return study;
 }
 
 } // namespace flipbook::app

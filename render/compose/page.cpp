@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "render/compose/page.h"
 
-#include "render/views/camera.h"
 #include "render/views/colour_bar.h"
 #include "render/views/domain.h"
+#include "render/views/solids.h"
+#include "render/views/tank.h"
 #include "render/views/ticks.h"
 
 #include <algorithm>
@@ -27,10 +28,9 @@ std::vector<std::vector<float>> all_values(const Frame& frame, const ViewSetting
   return values;
 }
 
-/// Width and height of the domain in metres; the camera of 3D panes wants a 4:3 window.
-std::array<double, 2> extent(const Snapshot& s) {
-  const double w = s.hi[0] - s.lo[0], h = s.hi[1] - s.lo[1];
-  return s.dim == 2 ? std::array{w, h} : std::array{4.0 / 3 * std::max(w, h), std::max(w, h)};
+/// Width and height of the domain as it is seen, in metres or, in 3D, in any unit.
+std::array<double, 2> extent(const Snapshot& s, const ViewSettings& view, bool turning) {
+  return s.dim == 2 ? std::array{s.hi[0] - s.lo[0], s.hi[1] - s.lo[1]} : seen_shape(s, view, turning);
 }
 
 } // namespace
@@ -46,7 +46,7 @@ Page::Page(const Frame& frame, const ViewSettings& view, const gui::Fonts& fonts
   r.panes = frame.panes.size();
   r.domain_width = r.domain_height = 0;
   for (const Pane& p : frame.panes) {
-    const auto [w, h] = extent(*p.snapshot);
+    const auto [w, h] = extent(*p.snapshot, view, frame.turning);
     const double diagonal = std::hypot(w, h); // domains of different size get the same room
     r.domain_width = std::max(r.domain_width, w / diagonal);
     r.domain_height = std::max(r.domain_height, h / diagonal);
@@ -82,8 +82,13 @@ void Page::place_domains() {
   for (std::size_t i = 0; i < frame_.panes.size(); ++i) {
     const Snapshot& s = *frame_.panes[i].snapshot;
     const Rect& frame = layout_.panes[i].frame;
-    const auto [w, h] = extent(s);
     const Rect room = frame.inset(layout_.padding);
+    if (s.dim == 3) {
+      const Rect window = frame.inset(2 * layout_.padding); // corners of a tank want more room than walls
+      views_.push_back({&s, frame, window, 0, palette_.variant(i), Camera(s, view_, frame_.turning, window)});
+      continue;
+    }
+    const auto [w, h] = extent(s, view_, false);
     const double metre = std::min(static_cast<double>(room.w) / w, static_cast<double>(room.h) / h);
     const auto dw = static_cast<float>(metre * w), dh = static_cast<float>(metre * h);
     const Rect domain{std::round(room.middle_x() - dw / 2), std::round(room.middle_y() - dh / 2), std::round(dw),
@@ -104,13 +109,17 @@ void Page::collect_footer() {
     }
   }
   if (view_.arrows) arrow_speed_ = arrow_speed(frame_);
+  const auto flat = [](const Pane& p) { return p.snapshot->dim == 2; };
+  has_arrow_key_ = view_.arrows && std::any_of(frame_.panes.begin(), frame_.panes.end(), flat);
+  if (view_.arrows && !std::all_of(frame_.panes.begin(), frame_.panes.end(), flat))
+    warnings_.emplace_back("view.arrows: arrows are drawn in 2D only");
   for (const Pane& p : frame_.panes)
     for (const std::string& note : p.snapshot->notes)
       if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) notes_.push_back(note);
 }
 
 std::size_t Page::footer_lines() const {
-  return std::min(warnings_.size(), most_warnings) + (notes_.empty() && !view_.arrows ? 0 : 1);
+  return std::min(warnings_.size(), most_warnings) + (notes_.empty() && !has_arrow_key_ ? 0 : 1);
 }
 
 std::string Page::time_text(double time) const {
@@ -123,8 +132,8 @@ std::string Page::time_text(double time) const {
 void Page::draw_under(gui::Ink& ink) const {
   for (const PaneView& v : views_) {
     ink.fill(v.frame, palette_.pane, ink.pt(4));
-    if (v.snapshot->dim == 3)
-      draw_box(ink, v, palette_.wall);
+    if (v.camera)
+      draw_tank_behind(ink, v, palette_, view_.walls, view_.grid);
     else if (view_.grid)
       draw_grid(ink, v, palette_);
   }
@@ -162,7 +171,10 @@ std::string Page::caption(gui::Ink& ink, std::size_t i) const {
 void Page::draw_pane(gui::Ink& ink, std::size_t i) const {
   const PaneBox& box = layout_.panes[i];
   const PaneView& v = views_[i];
-  if (v.snapshot->dim == 2) {
+  if (v.camera) {
+    if (view_.walls) draw_tank_before(ink, v, palette_);
+  } else {
+    draw_solid_areas(ink, v, palette_);
     if (view_.walls) draw_walls(ink, v, palette_);
     if (view_.arrows) draw_arrows(ink, v, palette_, arrow_speed_);
   }

@@ -44,6 +44,7 @@ private:
   ColourScale scale_;
   std::vector<Plot> plots_;
   double arrow_speed_ = 0;
+  bool has_arrow_key_ = false;
   std::vector<std::string> warnings_, notes_;
   Layout layout_;
   std::vector<PaneView> views_;

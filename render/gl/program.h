@@ -23,6 +23,8 @@ public:
   void set(const char* uniform, float x) const { gl_->Uniform1f(location(uniform), x); }
   void set(const char* uniform, int x) const { gl_->Uniform1i(location(uniform), x); }
   void set(const char* uniform, float x, float y) const { gl_->Uniform2f(location(uniform), x, y); }
+  void set(const char* uniform, int x, int y) const { gl_->Uniform2i(location(uniform), x, y); }
+  void set(const char* uniform, float x, float y, float z) const { gl_->Uniform3f(location(uniform), x, y, z); }
   void set(const char* uniform, float x, float y, float z, float w) const {
     gl_->Uniform4f(location(uniform), x, y, z, w);
   }

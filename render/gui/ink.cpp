@@ -88,6 +88,26 @@ void Ink::triangle(Point a, Point b, Point c, Colour colour) {
   list_->AddTriangleFilled(vec(a), vec(b), vec(c), colour.packed());
 }
 
+void Ink::convex(std::span<const Point> corners, Colour c) {
+  // Dear ImGui smooths the edges of polygons that turn clockwise.
+  float twice_area = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Point a = corners[i], b = corners[(i + 1) % corners.size()];
+    twice_area += a.x * b.y - b.x * a.y;
+  }
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    list_->PathLineTo(vec(twice_area >= 0 ? corners[i] : corners[corners.size() - 1 - i]));
+  list_->PathFillConvex(c.packed());
+}
+
+void Ink::mesh(std::span<const Point> corners, std::span<const std::uint32_t> triangles, Colour c) {
+  const ImDrawListFlags before = list_->Flags;
+  list_->Flags &= ~ImDrawListFlags_AntiAliasedFill; // smoothed edges would show as a net
+  for (std::size_t t = 0; t + 2 < triangles.size(); t += 3)
+    triangle(corners[triangles[t]], corners[triangles[t + 1]], corners[triangles[t + 2]], c);
+  list_->Flags = before;
+}
+
 void Ink::clip(const Rect& r) {
   list_->PushClipRect({r.x, r.y}, {r.right(), r.bottom()}, true);
 }

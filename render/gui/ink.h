@@ -6,6 +6,7 @@
 #include "render/gui/fonts.h"
 #include "render/shapes.h"
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -44,6 +45,9 @@ public:
   void disc(Point centre, float radius, Colour c);
   void ring(Point centre, float radius, Colour c, float thickness);
   void triangle(Point a, Point b, Point c, Colour colour);
+  void convex(std::span<const Point> corners, Colour c); ///< in either direction
+  /// Triangles that share their edges, three corners each; nothing shows where they meet.
+  void mesh(std::span<const Point> corners, std::span<const std::uint32_t> triangles, Colour c);
   void clip(const Rect& r);
   void unclip();
 

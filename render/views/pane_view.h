@@ -4,15 +4,20 @@
 
 #include "render/frame.h"
 #include "render/gui/ink.h"
+#include "render/views/camera.h"
+
+#include <optional>
 
 namespace flipbook::render {
 
 struct PaneView {
   const Snapshot* snapshot;
   Rect frame;  ///< in pixels
-  Rect domain; ///< in pixels, inside the frame
-  float metre; ///< in pixels
+  Rect domain; ///< in pixels, inside the frame; 3D: the window that the camera fits the domain into
+  float metre; ///< in pixels; 2D only
   Colour colour;
+  std::optional<Camera> camera{}; ///< 3D only
+  /// 2D.
   [[nodiscard]] gui::Point pixel(double x, double y) const {
     return {domain.x + static_cast<float>(x - snapshot->lo[0]) * metre,
             domain.bottom() - static_cast<float>(y - snapshot->lo[1]) * metre};

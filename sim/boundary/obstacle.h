@@ -9,8 +9,10 @@ namespace flipbook {
 
 struct Obstacle {
   ShapePtr shape;       ///< at rest
-  MotionPtr motion;     ///< null: it stands still
+  MotionPtr motion{};   ///< null: it stands still
   bool no_slip = false; ///< the fluid sticks to it; else it glides along
+
+  [[nodiscard]] Pose pose(double t) const { return motion ? motion->at(t) : Pose{}; }
 };
 
 } // namespace flipbook

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace flipbook {
@@ -32,6 +33,23 @@ double length(const Point& a, std::size_t n) {
   return std::sqrt(dot(a, a, n));
 }
 
+/// All points within `radius` of the box [lo, hi] along the first n axes.
+Bounds around(const Point& lo, const Point& hi, double radius, std::size_t n) {
+  Bounds b = Bounds::infinite();
+  for (std::size_t d = 0; d < n; ++d) b.lo[d] = lo[d] - radius, b.hi[d] = hi[d] + radius;
+  return b;
+}
+
+void enclose(Bounds& b, const Bounds& other) {
+  for (std::size_t d = 0; d < 3; ++d)
+    b.lo[d] = std::min(b.lo[d], other.lo[d]), b.hi[d] = std::max(b.hi[d], other.hi[d]);
+}
+
+void intersect(Bounds& b, const Bounds& other) {
+  for (std::size_t d = 0; d < 3; ++d)
+    b.lo[d] = std::max(b.lo[d], other.lo[d]), b.hi[d] = std::min(b.hi[d], other.hi[d]);
+}
+
 struct Box final : Shape {
   Box(const Listed& l, const Listed& h) : lo(l), hi(h) {}
   Listed lo, hi;
@@ -47,6 +65,7 @@ struct Box final : Shape {
     }
     return length(outside, n) + std::min(nearest, 0.0);
   }
+  Bounds bounds(const Domain& domain) const override { return around(lo.x, hi.x, 0, axes(domain, lo)); }
 };
 
 struct Ball final : Shape {
@@ -57,6 +76,10 @@ struct Ball final : Shape {
 
   double distance(const Point& p, const Domain& domain) const override {
     return length(minus(p, centre.in(domain)), along_z ? 2 : axes(domain)) - radius;
+  }
+  Bounds bounds(const Domain& domain) const override {
+    const Point c = centre.in(domain);
+    return around(c, c, radius, along_z ? 2 : axes(domain));
   }
 };
 
@@ -73,6 +96,12 @@ struct Capsule final : Shape {
     const Point nearest{start[0] + s * along[0], start[1] + s * along[1], start[2] + s * along[2]};
     return length(minus(p, nearest), n) - radius;
   }
+  Bounds bounds(const Domain& domain) const override {
+    const Point p = a.in(domain), q = b.in(domain);
+    Bounds box = around(p, p, radius, axes(domain));
+    enclose(box, around(q, q, radius, axes(domain)));
+    return box;
+  }
 };
 
 struct HalfSpace final : Shape {
@@ -83,6 +112,16 @@ struct HalfSpace final : Shape {
     const std::size_t n = axes(domain, normal);
     return dot(minus(p, point.in(domain)), normal.x, n) / length(normal.x, n);
   }
+  /// Ends on one side where the normal is along an axis.
+  Bounds bounds(const Domain& domain) const override {
+    Bounds b = Bounds::infinite();
+    const double whole = length(normal.x, axes(domain, normal));
+    for (std::size_t d = 0; d < axes(domain, normal); ++d) {
+      if (normal.x[d] == whole) b.hi[d] = point.in(domain)[d];
+      if (normal.x[d] == -whole) b.lo[d] = point.in(domain)[d];
+    }
+    return b;
+  }
 };
 
 struct Implicit final : Shape {
@@ -92,21 +131,42 @@ struct Implicit final : Shape {
   double distance(const Point& p, const Domain& /*domain*/) const override { return phi(p); }
 };
 
-/// max over the parts of sign * distance, the sign being one for the first part and another for the rest.
+enum class Kind { either, both, rest_removed };
+
+/// min d_i = -max(-d_i), max d_i, or max(d_0, -d_i).
 struct Combined final : Shape {
-  Combined(std::vector<ShapePtr> parts, double all, double first_sign, double rest_sign)
-      : of(std::move(parts)), whole(all), first(first_sign), rest(rest_sign) {}
+  Combined(std::vector<ShapePtr> parts, Kind k) : of(std::move(parts)), kind(k) {}
   std::vector<ShapePtr> of;
-  double whole, first, rest;
+  Kind kind;
 
   double distance(const Point& p, const Domain& domain) const override {
+    const double first = kind == Kind::either ? -1 : 1, rest = kind == Kind::both ? 1 : -1;
     double most = first * of.front()->distance(p, domain);
     for (std::size_t i = 1; i < of.size(); ++i) most = std::max(most, rest * of[i]->distance(p, domain));
-    return whole * most;
+    return first * most;
+  }
+  bool contains(const Point& p, const Domain& domain) const override {
+    const auto holds = [&](const ShapePtr& part) { return part->contains(p, domain); };
+    if (kind == Kind::both) return std::all_of(of.begin(), of.end(), holds);
+    if (kind == Kind::either) return std::any_of(of.begin(), of.end(), holds);
+    return holds(of.front()) && std::none_of(of.begin() + 1, of.end(), holds);
+  }
+  Bounds bounds(const Domain& domain) const override {
+    Bounds box = of.front()->bounds(domain);
+    for (std::size_t i = 1; i < of.size(); ++i) {
+      if (kind == Kind::either) enclose(box, of[i]->bounds(domain));
+      if (kind == Kind::both) intersect(box, of[i]->bounds(domain));
+    }
+    return box;
   }
 };
 
 } // namespace
+
+Bounds Bounds::infinite() {
+  constexpr double all = std::numeric_limits<double>::infinity();
+  return {{-all, -all, -all}, {all, all, all}};
+}
 
 Point Listed::in(const Domain& domain) const {
   Point p = x;
@@ -133,15 +193,14 @@ ShapePtr make_implicit(std::function<double(const Point&)> phi) {
   return std::make_shared<Implicit>(std::move(phi));
 }
 
-// min d_i = -max(-d_i), max d_i, and max(d_0, -d_i).
 ShapePtr make_union(std::vector<ShapePtr> of) {
-  return std::make_shared<Combined>(std::move(of), -1.0, -1.0, -1.0);
+  return std::make_shared<Combined>(std::move(of), Kind::either);
 }
 ShapePtr make_intersection(std::vector<ShapePtr> of) {
-  return std::make_shared<Combined>(std::move(of), 1.0, 1.0, 1.0);
+  return std::make_shared<Combined>(std::move(of), Kind::both);
 }
 ShapePtr make_difference(std::vector<ShapePtr> of) {
-  return std::make_shared<Combined>(std::move(of), 1.0, 1.0, -1.0);
+  return std::make_shared<Combined>(std::move(of), Kind::rest_removed);
 }
 
 } // namespace flipbook

@@ -17,6 +17,7 @@ namespace flipbook {
 struct Domain {
   int dim = 2;
   Point size{1, 1, 1};
+  Point origin{0, 0, 0}; ///< world coordinates of the lower corner; only what comes from files is in them
 };
 
 /// The coordinates that a scene lists: two or three.
@@ -27,13 +28,24 @@ struct Listed {
   [[nodiscard]] Point in(const Domain& domain) const;
 };
 
+/// A box around a shape, edges parallel to the axes; infinite where the shape is.
+struct Bounds {
+  Point lo, hi;
+  [[nodiscard]] static Bounds infinite();
+};
+
 class Shape {
 public:
   virtual ~Shape() = default;
   /// Signed distance from p to the surface. Exact outside; inside a union, and wherever shapes are subtracted or
   /// intersected, a lower bound of its magnitude.
   [[nodiscard]] virtual double distance(const Point& p, const Domain& domain) const = 0;
-  [[nodiscard]] bool contains(const Point& p, const Domain& domain) const { return distance(p, domain) < 0; }
+  /// distance < 0, which some shapes know without the distance.
+  [[nodiscard]] virtual bool contains(const Point& p, const Domain& domain) const { return distance(p, domain) < 0; }
+  /// The shape lies in this box; infinite along axes that it spans, and where nothing better is known.
+  [[nodiscard]] virtual Bounds bounds(const Domain& /*domain*/) const { return Bounds::infinite(); }
+  /// The exact surface of a shape that has one; null: it is found from the distance (see surface.h).
+  [[nodiscard]] virtual std::shared_ptr<const TriangleMesh> surface(const Domain& /*domain*/) const { return nullptr; }
 };
 
 using ShapePtr = std::shared_ptr<const Shape>;

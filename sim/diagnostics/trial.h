@@ -21,8 +21,9 @@ template <int Dim, class Real> struct Trial {
 
   /// Positions keep 1/20 of a cell between a particle and every plane through nodes or face centres: the linear
   /// kernel's D is singular there, so that a test close to it measures the condition of D and not the transfer.
-  Trial(AffineMode mode, int count, std::uint64_t seed_, Pool& pool) : seed(seed_) {
-    for (int d = 0; d < Dim; ++d) grid.cells[d] = 6 + d; // unlike edges, so that a wrong stride shows
+  /// `room` cells on every side stay empty, for particles that will move.
+  Trial(AffineMode mode, int count, std::uint64_t seed_, Pool& pool, int room = 0) : seed(seed_) {
+    for (int d = 0; d < Dim; ++d) grid.cells[d] = 6 + d + 2 * room; // unlike edges, so that a wrong stride shows
     grid.dx = 0.1;
     origin = grid.size_m() / 2;
     particles.set_mode(mode);
@@ -30,7 +31,7 @@ template <int Dim, class Real> struct Trial {
       Vec<Dim, Real> x, v;
       for (int d = 0; d < Dim; ++d) {
         const auto c = static_cast<std::uint64_t>(d);
-        const double cell = std::floor(number(0, p, c, 0, grid.cells[d]));
+        const double cell = std::floor(number(0, p, c, room, grid.cells[d] - room));
         const double half = number(1, p, c, 0, 1) < 0.5 ? 0 : 0.5;
         x[d] = static_cast<Real>(grid.dx * (cell + half + number(2, p, c, 0.05, 0.45)));
         v[d] = static_cast<Real>(number(3, p, c, -1, 1));

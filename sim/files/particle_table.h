@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace flipbook {
@@ -15,11 +16,20 @@ struct ParticleTable {
   struct Column {
     std::string name;
     std::vector<double> values;
+    bool wide = false; ///< needs 64-bit numbers in any case: a 32-bit position with grid.origin added
   };
   std::vector<std::uint32_t> id;
   std::vector<Column> columns;
   int dim = 2;
   bool single = true; ///< the numbers come from 32-bit ones: nine digits tell them apart
+
+  [[nodiscard]] bool is_single(const Column& c) const { return single && !c.wide; }
+  /// Null if there is none.
+  [[nodiscard]] const Column* find(std::string_view name) const {
+    for (const Column& c : columns)
+      if (c.name == name) return &c;
+    return nullptr;
+  }
 };
 
 } // namespace flipbook

@@ -11,7 +11,8 @@ constexpr double smallest_theta = 0.01;
 
 template <int Dim, class Real>
 void Cells<Dim, Real>::classify(Surface surface, const Grid<Dim>& grid, const Walls<Dim, Real>& walls,
-                                const CellOrder<Dim>& order, const Field<Real>& phi, Pool& pool) {
+                                const CellOrder<Dim>& order, const Field<Real>& phi, Pool& pool,
+                                const std::vector<std::size_t>& wet) {
   fluid.assign(static_cast<std::size_t>(grid.size()), 0);
   each_in(grid, cells_of(grid), pool, [&](const Index<Dim>&, std::size_t at) {
     bool open = false;
@@ -24,6 +25,7 @@ void Cells<Dim, Real>::classify(Surface surface, const Grid<Dim>& grid, const Wa
                                                     : phi[at] < 0;
     fluid[at] = open && liquid;
   });
+  for (const std::size_t at : wet) fluid[at] = 1;
   walls.wrap_cells(fluid);
 
   inverse_theta.resize(grid);

@@ -21,8 +21,9 @@ template <int Dim, class Real> struct Cells {
   /// near: such a face takes no part in the projection.
   Components<Dim, Real> inverse_theta;
 
+  /// `wet`: cells that are liquid besides those that hold a particle (voxel only).
   void classify(Surface surface, const Grid<Dim>& grid, const Walls<Dim, Real>& walls, const CellOrder<Dim>& order,
-                const Field<Real>& phi, Pool& pool);
+                const Field<Real>& phi, Pool& pool, const std::vector<std::size_t>& wet = {});
 
   /// Marks the particles whose cell is not liquid: they fly on their own.
   void mark_ballistic(const Grid<Dim>& grid, const CellOrder<Dim>& order, std::vector<std::uint8_t>& ballistic,

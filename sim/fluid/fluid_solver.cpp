@@ -15,9 +15,12 @@ namespace flipbook {
 // === Setting up
 
 template <int Dim, class Real>
-FluidSolver<Dim, Real>::FluidSolver(const Settings& settings, Particles<Dim, Real> particles, Pool& pool)
-    : pool_(pool), state_(settings, grid_of<Dim>(settings), std::move(particles)), recorder_(state_.particles) {
+FluidSolver<Dim, Real>::FluidSolver(const Settings& settings, Particles<Dim, Real> particles, Pool& pool,
+                                    std::vector<Obstacle> obstacles)
+    : pool_(pool), state_(settings, grid_of<Dim>(settings), std::move(particles), std::move(obstacles)),
+      recorder_(state_.particles) {
   check_finite();
+  place_solids(0);
   state_.particles.set_mode(settings.transfer.corner().mode);
   find_liquid();
   particles_to_grid();
@@ -64,25 +67,32 @@ template <int Dim, class Real> void FluidSolver<Dim, Real>::step(double dt) {
 }
 
 template <int Dim, class Real> void FluidSolver<Dim, Real>::lie(double dt) {
+  const double t = state_.time;
+  state_.solids.give_velocity(t, t + dt, state_.walls, pool_);
   find_liquid();                   // where phi < 0
   particles_to_grid();             // u_i = sum_p w m (v_p + A_p (x_i - x_p)) / m_i,  u_old = u
   add_gravity(dt);                 // u <- u + dt g
   project(dt, state_.p);           // div u = 0
   grid_to_particles(dt, state_.u); // v, A by the scheme
   advect(dt, state_.u);            // dx/dt = u
+  place_solids(t + dt);
 }
 
 /// Second order: half of the motion, the forces as a reflection about the middle, the other half. The projection that
 /// opens the step removes the divergence that the last motion left, as a correction of the particles: it costs no
 /// blending.
 template <int Dim, class Real> void FluidSolver<Dim, Real>::midpoint(double dt) {
+  const double t = state_.time;
+  state_.solids.give_velocity(t, t + dt / 2, state_.walls, pool_);
   find_liquid();
   particles_to_grid();
   project(dt, correction_pressure_);
   correct_particles();   // v <- v + S (u - u_old)
   u_opening_ = state_.u; // at the start of the step
   advect(dt / 2, u_opening_);
+  place_solids(t + dt / 2);
 
+  state_.solids.give_velocity(t, t + dt, state_.walls, pool_);
   find_liquid();
   particles_to_grid();
   add_gravity(dt / 2);
@@ -92,6 +102,7 @@ template <int Dim, class Real> void FluidSolver<Dim, Real>::midpoint(double dt) 
   grid_to_particles(dt, blend_); // from u_old to u_old + 2 (u - u_old)
   combine(2, -1, u_opening_);    // 2 u - u_opening, the velocity at the end
   advect(dt / 2, blend_);
+  place_solids(t + dt);
 }
 
 // === Its parts
@@ -101,7 +112,10 @@ template <int Dim, class Real> void FluidSolver<Dim, Real>::find_liquid() {
   sort_by_cell(s.particles, s.grid, s.order, pool_);
   const double radius = particle_radius<Dim>(s.grid.dx, s.settings.seeding.per_axis);
   level_set(s.grid, s.walls, s.particles, s.order, radius, s.phi, pool_);
-  s.cells.classify(s.settings.fluid.surface, s.grid, s.walls, s.order, s.phi, pool_);
+  s.solids.extend(s.walls, s.phi);
+  const Surface surface = s.settings.fluid.surface;
+  s.cells.classify(surface, s.grid, s.walls, s.order, s.phi, pool_,
+                   surface == Surface::voxel ? s.solids.wet(s.walls, s.order) : std::vector<std::size_t>{});
   s.cells.mark_ballistic(s.grid, s.order, s.ballistic, pool_);
 }
 
@@ -129,9 +143,14 @@ template <int Dim, class Real> void FluidSolver<Dim, Real>::add_gravity(double d
 template <int Dim, class Real> void FluidSolver<Dim, Real>::project(double dt, Field<double>& p) {
   auto& s = state_;
   s.walls.close(s.u, pool_);
+  s.solids.before_projection(s.u);
   s.solve = projection_(s.grid, s.walls, s.cells, s.settings.pressure, s.settings.fluid.density, dt, s.u, p, pool_);
+  s.solids.carry_change(s.walls, s.cells, s.m, s.u, pool_);
   extrapolate_over_air(false, s.u);
   s.walls.close(s.u, pool_);
+  s.walls.pad(s.u);
+  if (s.solids.none()) return;
+  s.solids.constrain(s.walls, s.u, pool_);
   s.walls.pad(s.u);
 }
 
@@ -176,19 +195,28 @@ template <int Dim, class Real> void FluidSolver<Dim, Real>::keep_apart() {
   if (strength == 0) return;
   sort_by_cell(s.particles, s.grid, s.order, pool_);
   correct_spacing(strength, s.grid.dx / s.settings.seeding.per_axis, s.grid, s.walls, s.order, s.particles, pool_);
+  s.solids.push_out(s.walls, s.ballistic, s.particles, pool_);
+}
+
+template <int Dim, class Real> void FluidSolver<Dim, Real>::place_solids(double t) {
+  auto& s = state_;
+  s.solids.place(t, s.walls, pool_);
+  s.solids.push_out(s.walls, s.ballistic, s.particles, pool_);
 }
 
 /// Known are the faces of liquid cells; of those only the ones with mass before the projection has given the others a
-/// value.
+/// value, which it does not to faces in obstacles.
 template <int Dim, class Real>
 void FluidSolver<Dim, Real>::extrapolate_over_air(bool massless_too, Components<Dim, Real>& u) {
   const auto& s = state_;
   Known<Dim> known;
   for (std::size_t a = 0; a < Dim; ++a) {
     known[a].resize(u[a].size());
+    const auto& buried = s.walls.buried[a];
     pool_.ranges(s.grid.size(), 1 << 15, [&](std::int64_t begin, std::int64_t end) {
       for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-        known[a][i] = s.cells.inverse_theta[a][i] > 0 && (!massless_too || s.m[a][i] > 0);
+        known[a][i] =
+            s.cells.inverse_theta[a][i] > 0 && ((!massless_too && (buried.empty() || !buried[i])) || s.m[a][i] > 0);
     });
   }
   // A particle may cross cfl cells within a step, and a cubic stencil reaches two cells beyond its own.
@@ -225,12 +253,12 @@ template <int Dim, class Real> double FluidSolver<Dim, Real>::max_dt() const {
     if (s.steps == 0) continue;
     const auto& u = s.u[static_cast<std::size_t>(a)];
     for (std::size_t i = 0; i < u.size(); ++i)
-      if (s.cells.inverse_theta[static_cast<std::size_t>(a)][i] > 0)
+      if (s.cells.inverse_theta[static_cast<std::size_t>(a)][i] > 0 && s.walls.open[static_cast<std::size_t>(a)][i] > 0)
         speed = std::max(speed, std::abs(static_cast<double>(u[i])));
   }
   const double dx = s.grid.dx, bound = s.settings.time.dt;
   const double dt = s.settings.time.cfl * dx / std::max(speed + std::sqrt(gravity * dx), 1e-30);
-  return bound > 0 ? std::min(bound, dt) : dt;
+  return s.solids.max_dt(s.time, s.settings.time.cfl, bound > 0 ? std::min(bound, dt) : dt);
 }
 
 template <int Dim, class Real> void FluidSolver<Dim, Real>::check_finite() const {

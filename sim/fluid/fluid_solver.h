@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Incompressible, inviscid flow of a liquid with a free surface, by particles and a MAC grid:
-//   Du/Dt = -grad p / rho + g,   div u = 0,   p = 0 on the surface, u.n = U.n on the walls.
+//   Du/Dt = -grad p / rho + g,   div u = 0,   p = 0 on the surface, u.n = U.n on walls and obstacles.
 // The two ways of splitting a step into equations are lie() and midpoint() below.
 #pragma once
 
@@ -16,7 +16,8 @@ namespace flipbook {
 template <int Dim, class Real> class FluidSolver final : public Simulation {
 public:
   /// Ids of the particles must be smaller than a few times their number: seeded positions are kept by id.
-  FluidSolver(const Settings& settings, Particles<Dim, Real> particles, Pool& pool);
+  FluidSolver(const Settings& settings, Particles<Dim, Real> particles, Pool& pool,
+              std::vector<Obstacle> obstacles = {});
 
   [[nodiscard]] double time() const override { return state_.time; }
   [[nodiscard]] std::uint64_t steps() const override { return state_.steps; }
@@ -53,6 +54,8 @@ private:
   void correct_particles();
   void advect(double dt, const Components<Dim, Real>& u);
   void keep_apart();
+  /// The obstacles where they are at time t, with what they caught pushed out.
+  void place_solids(double t);
 
   void extrapolate_over_air(bool massless_too, Components<Dim, Real>& u);
   /// blend = a u + b other.

@@ -5,6 +5,7 @@
 #include "sim/core/order.h"
 #include "sim/fluid/cells.h"
 #include "sim/fluid/pcg.h"
+#include "sim/fluid/solids.h"
 #include "sim/fluid/walls.h"
 
 namespace flipbook {
@@ -18,8 +19,9 @@ template <int Dim> [[nodiscard]] Grid<Dim> grid_of(const Settings& settings) {
 }
 
 template <int Dim, class Real> struct FluidState {
-  FluidState(const Settings& given, const Grid<Dim>& g, Particles<Dim, Real> seeded)
-      : settings(given), grid(g), walls(g, given.walls), particles(std::move(seeded)) {
+  FluidState(const Settings& given, const Grid<Dim>& g, Particles<Dim, Real> seeded, std::vector<Obstacle> obstacles)
+      : settings(given), grid(g), walls(g, given.walls), solids(g, std::move(obstacles), {Dim, given.grid.size}),
+        particles(std::move(seeded)) {
     for (Components<Dim, Real>* field : {&m, &u, &u_old}) field->resize(grid);
     phi.resize(static_cast<std::size_t>(grid.size()));
     p.resize(static_cast<std::size_t>(grid.size()));
@@ -28,6 +30,7 @@ template <int Dim, class Real> struct FluidState {
   Settings settings;
   Grid<Dim> grid;
   Walls<Dim, Real> walls;
+  Solids<Dim, Real> solids;
   Particles<Dim, Real> particles;
   CellOrder<Dim> order;
 

@@ -36,7 +36,7 @@ ParticleTable particle_table(const Particles<Dim, Real>& particles, const std::a
     std::vector<double> values;
     values.reserve(order.size());
     for (const std::uint32_t p : order) values.push_back(static_cast<double>(column[p]) + offset);
-    table.columns.push_back({std::move(name), std::move(values)});
+    table.columns.push_back({std::move(name), std::move(values), offset != 0});
   };
   for (std::size_t a = 0; a < Dim; ++a) add(std::string(1, axes[a]), particles.x[a], origin[a]);
   for (std::size_t a = 0; a < Dim; ++a) add(std::string("v") + axes[a], particles.v[a], 0);

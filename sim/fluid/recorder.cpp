@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sim/fluid/recorder.h"
 
+#include "sim/boundary/surface.h"
 #include "sim/fluid/channels.h"
 #include "sim/fluid/energy.h"
+#include "sim/frame/particle_order.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,19 +38,10 @@ template <int Dim, class Real> std::vector<std::string> notes(const FluidState<D
   return list;
 }
 
-/// Names and values of one row of the history.
-struct Row {
-  std::vector<History::Column> columns; ///< y holds one value
-  void add(std::string name, std::string unit, double value) {
-    columns.push_back({std::move(name), std::move(unit), {static_cast<float>(value)}});
-  }
-};
-
-template <int Dim, class Real>
-std::vector<History::Column> row_of(const FluidState<Dim, Real>& state, double transfer_loss, Pool& pool) {
+template <int Dim, class Real> HistoryRow row_of(const FluidState<Dim, Real>& state, double transfer_loss, Pool& pool) {
   const EnergyAccount<Dim> account = energy_account(state, pool);
   const std::string per = Dim == 2 ? "/m" : "";
-  Row row;
+  HistoryRow row;
   row.add("kinetic", "J" + per, account.totals.kinetic_energy);
   row.add("potential", "J" + per, account.potential);
   row.add("total", "J" + per, account.totals.kinetic_energy + account.potential);
@@ -59,27 +52,7 @@ std::vector<History::Column> row_of(const FluidState<Dim, Real>& state, double t
   for (int c = 0; c < spin<Dim>; ++c)
     row.add(std::string("angular_momentum_") + axis_names[Dim == 2 ? 2 : static_cast<std::size_t>(c)], "kg m^2/s" + per,
             account.totals.angular_momentum[c]);
-  return std::move(row.columns);
-}
-
-/// Least and most of the values without the outermost at either end, one in two hundred.
-std::pair<double, double> bulk(std::vector<float> values) {
-  const auto outside = static_cast<std::ptrdiff_t>(values.size() / 200);
-  const auto low = values.begin() + outside, high = values.end() - 1 - outside;
-  std::nth_element(values.begin(), low, values.end());
-  std::nth_element(low, high, values.end());
-  return {static_cast<double>(*low), static_cast<double>(*high)};
-}
-
-/// Drops every second row but the last, so that the curve keeps its whole length.
-void thin_out(History& h) {
-  const auto thin = [](std::vector<float>& y) {
-    std::size_t kept = 0;
-    for (std::size_t i = (y.size() - 1) % 2; i < y.size(); i += 2) y[kept++] = y[i];
-    y.resize(kept);
-  };
-  thin(h.t);
-  for (auto& column : h.columns) thin(column.y);
+  return row;
 }
 
 } // namespace
@@ -98,31 +71,24 @@ Channel Recorder<Dim, Real>::channel(const FluidState<Dim, Real>& state, const s
     known.emplace_back(source.name);
     if (source.name != name) continue;
     Channel c{name, std::string(source.unit), 0, 0, source.diverging, source.values(state, initial_, pool)};
-    if (!c.values.empty()) {
-      const auto [least, most] = bulk(c.values);
-      auto& [lo, hi] = extremes_.try_emplace(name, least, most).first->second;
-      lo = std::min(lo, least);
-      hi = std::max(hi, most);
-      if (c.diverging) hi = std::max(hi, -lo), lo = -hi;
-      c.lo = lo;
-      c.hi = hi;
-    }
+    ranges_.widen(c);
     return c;
   }
   throw UserError("unknown particle quantity \"" + name + "\"", {}, nearest_name(name, known));
 }
 
-template <int Dim, class Real>
-void Recorder<Dim, Real>::extend_history(const FluidState<Dim, Real>& state, double transfer_loss, Pool& pool) {
-  if (!history_.t.empty() && static_cast<float>(state.time) <= history_.t.back()) return;
-  if (history_.t.size() == History::capacity) thin_out(history_);
-  history_.t.push_back(static_cast<float>(state.time));
-  auto row = row_of(state, transfer_loss, pool);
-  if (history_.columns.empty()) {
-    history_.columns = std::move(row);
-    return;
+template <int Dim, class Real> std::vector<Solid> Recorder<Dim, Real>::solids(const FluidState<Dim, Real>& state) {
+  const auto& obstacles = state.solids.all();
+  surfaces_.resize(obstacles.size());
+  std::vector<Solid> all;
+  for (const auto& standing : state.solids.standing()) {
+    auto& surface = surfaces_[standing.obstacle];
+    if (!surface) surface = solid_surface(obstacles[standing.obstacle], {Dim, state.settings.grid.size});
+    Pose pose = standing.pose;
+    for (std::size_t d = 0; d < 3; ++d) pose.shift[d] += standing.shift[d];
+    all.push_back({surface, pose});
   }
-  for (std::size_t c = 0; c < row.size(); ++c) history_.columns[c].y.push_back(row[c].y.front());
+  return all;
 }
 
 template <int Dim, class Real>
@@ -154,6 +120,7 @@ std::shared_ptr<const Snapshot> Recorder<Dim, Real>::snapshot(const FluidState<D
     s->periodic[axis] = state.walls.periodic(a);
   }
   s->up = settings.fluid.up(Dim);
+  s->solids = solids(state);
 
   const auto& particles = state.particles;
   s->particle_spacing = state.grid.dx / settings.seeding.per_axis;
@@ -166,9 +133,10 @@ std::shared_ptr<const Snapshot> Recorder<Dim, Real>::snapshot(const FluidState<D
       s->v[Dim * p + d] = static_cast<float>(particles.v[d][p]);
     }
   for (const std::string& name : request.channels) s->channels.push_back(channel(state, name, pool));
+  sort_particles(*s);
   s->lattices = lattices(state, request);
   if (settings.ledger.on) {
-    extend_history(state, transfer_loss, pool);
+    append(history_, state.time, row_of(state, transfer_loss, pool));
     s->history = std::make_shared<History>(history_);
   }
   return s;

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "sim/fluid/fluid_state.h"
+#include "sim/frame/recording.h"
 #include "sim/frame/snapshot.h"
 
-#include <map>
 #include <string>
 
 namespace flipbook {
@@ -21,11 +21,12 @@ public:
 
 private:
   [[nodiscard]] Channel channel(const FluidState<Dim, Real>& state, const std::string& name, Pool& pool);
-  void extend_history(const FluidState<Dim, Real>& state, double transfer_loss, Pool& pool);
+  [[nodiscard]] std::vector<Solid> solids(const FluidState<Dim, Real>& state);
 
   std::vector<std::array<float, 3>> initial_;
-  std::map<std::string, std::pair<double, double>, std::less<>> extremes_; ///< of each channel
+  ChannelRanges ranges_;
   History history_;
+  std::vector<std::shared_ptr<const TriangleMesh>> surfaces_; ///< of each obstacle, once it has been asked for
 };
 
 } // namespace flipbook

@@ -66,7 +66,7 @@ template <int Dim, class Real> void Walls<Dim, Real>::close(Components<Dim, Real
   for (std::size_t a = 0; a < Dim; ++a)
     pool.ranges(grid_.size(), 1 << 15, [&](std::int64_t b, std::int64_t e) {
       for (auto i = static_cast<std::size_t>(b); i < static_cast<std::size_t>(e); ++i)
-        if (open[a][i] == 0) u[a][i] = u_solid[a][i];
+        if (open[a][i] == 0 && (buried[a].empty() || !buried[a][i])) u[a][i] = u_solid[a][i];
     });
 }
 
@@ -133,7 +133,9 @@ template <int Dim, class Real> unsigned Walls<Dim, Real>::confine(Vec<Dim, Real>
 #define FLIPBOOK_WALLS(Dim, Real)                                                                                      \
   template class Walls<Dim, Real>;                                                                                     \
   template void Walls<Dim, Real>::pad_cells(std::vector<Real>&) const;                                                 \
+  template void Walls<Dim, Real>::wrap_cells(std::vector<float>&) const;                                               \
   template void Walls<Dim, Real>::wrap_cells(std::vector<double>&) const;                                              \
+  template void Walls<Dim, Real>::wrap_cells(std::vector<std::uint16_t>&) const;                                       \
   template void Walls<Dim, Real>::wrap_cells(std::vector<std::uint8_t>&) const;                                        \
   template void Walls<Dim, Real>::wrap_cells(std::vector<int>&) const;
 FLIPBOOK_WALLS(2, float)

@@ -11,6 +11,8 @@
 #include "sim/scene/settings.h"
 
 #include <array>
+#include <cstdint>
+#include <vector>
 
 namespace flipbook {
 
@@ -20,6 +22,8 @@ public:
 
   Components<Dim, Real> open;    ///< open fraction of each face: 1 open, 0 solid
   Components<Dim, Real> u_solid; ///< velocity of its solid part (m/s)
+  /// Which faces in the domain an obstacle closes, one byte each; empty without obstacles.
+  std::array<std::vector<std::uint8_t>, Dim> buried;
 
   [[nodiscard]] bool periodic(int axis) const { return kind_[static_cast<std::size_t>(axis)] == Wall::periodic; }
 
@@ -27,7 +31,7 @@ public:
   void fold(Field<Real>& sums) const;
   void fold(Components<Dim, Real>& sums) const;
 
-  /// u = u_solid on every closed face.
+  /// u = u_solid on every closed face of the domain's sides; obstacles may slip (see solids.h).
   void close(Components<Dim, Real>& u, Pool& pool) const;
 
   /// Fills the pads with what the walls do to the flow beside them.

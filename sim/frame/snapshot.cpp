@@ -11,6 +11,8 @@
 
 #include "sim/frame/text_archive.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
@@ -56,6 +58,17 @@ template <class Archive> void fields(Archive& a, LatticeData& l) {
   a.field("values", l.values);
 }
 
+/// Solids that share a surface are written with a copy each; when read, each has its own.
+template <class Archive> void fields(Archive& a, Solid& s) {
+  TriangleMesh mesh = s.surface ? *s.surface : TriangleMesh{};
+  a.field("rotation", s.pose.rotation);
+  a.field("shift", s.pose.shift);
+  a.field("vertices", mesh.vertices);
+  a.field("triangles", mesh.triangles);
+  a.field("outline", mesh.outline);
+  s.surface = std::make_shared<TriangleMesh>(std::move(mesh));
+}
+
 template <class Archive> void fields(Archive& a, History::Column& c) {
   a.field("name", c.name);
   a.field("unit", c.unit);
@@ -86,12 +99,14 @@ template <class Archive> void fields(Archive& a, Snapshot& s, History& history, 
   a.field("cells", s.cells);
   a.field("dx", s.dx);
   a.field("periodic", s.periodic);
+  a.field("up", s.up);
   a.field("particle_spacing", s.particle_spacing);
   a.field("x", s.x);
   a.field("v", s.v);
   a.field("id", s.id);
   each(a, "channels", s.channels);
   each(a, "lattices", s.lattices);
+  each(a, "solids", s.solids);
   a.field("history", has_history);
   if (!has_history) return;
   a.field("t", history.t);
@@ -118,6 +133,22 @@ void check(const Snapshot& s, const std::string& path) {
     }
     require(l.values.size() == samples, "lattice \"" + l.name + "\" must hold " + std::to_string(samples) + " numbers");
   }
+  const auto finite = [](const auto& list) {
+    return std::all_of(list.begin(), list.end(), [](auto x) { return std::isfinite(x); });
+  };
+  require(finite(s.lo) && finite(s.hi), "the domain must be finite");
+  for (std::size_t a = 0; a < static_cast<std::size_t>(s.dim); ++a)
+    require(s.lo[a] < s.hi[a], "hi must be above lo on every axis");
+  require(std::count(s.up.begin(), s.up.end(), 0.0) == 2 && finite(s.up), "up must point along one axis");
+  for (const Solid& solid : s.solids) {
+    const TriangleMesh& m = *solid.surface;
+    require(finite(solid.pose.rotation) && finite(solid.pose.shift), "the pose of a solid must be finite");
+    require(finite(m.vertices) && m.vertices.size() % 3 == 0, "a solid must have three finite numbers for each vertex");
+    const auto known = [&](std::uint32_t i) { return i < m.vertices.size() / 3; };
+    require(m.triangles.size() % 3 == 0 && std::all_of(m.triangles.begin(), m.triangles.end(), known) &&
+                m.outline.size() % 2 == 0 && std::all_of(m.outline.begin(), m.outline.end(), known),
+            "a solid's triangles and outline must name its vertices");
+  }
   if (!s.history) return;
   for (const History::Column& c : s.history->columns)
     require(c.y.size() == s.history->t.size(), "curve \"" + c.name + "\" must be as long as its times");
@@ -130,7 +161,8 @@ template <class T> std::size_t heap(const std::vector<T>& v) {
 } // namespace
 
 std::size_t Snapshot::bytes() const {
-  std::size_t sum = sizeof *this + heap(x) + heap(v) + heap(id) + heap(parameters);
+  std::size_t sum = sizeof *this + heap(x) + heap(v) + heap(id) + heap(parameters) +
+                    heap(solids); // not their surfaces, which all snapshots of a run share
   for (const Channel& c : channels) sum += sizeof c + heap(c.values);
   for (const LatticeData& l : lattices) sum += sizeof l + heap(l.values);
   if (history) {

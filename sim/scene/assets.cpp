@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/scene/assets.h"
 
+#include "sim/scene/scene_files.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -13,12 +15,10 @@ namespace fs = std::filesystem;
 std::vector<fs::path> roots() {
   std::vector<fs::path> all;
   if (const char* chosen = std::getenv("FLIPBOOK_ASSETS"); chosen && *chosen) all.emplace_back(chosen);
-#ifdef FLIPBOOK_SOURCE_ASSETS
-  all.emplace_back(FLIPBOOK_SOURCE_ASSETS);
-#endif
   std::error_code none;
   const fs::path program = fs::read_symlink("/proc/self/exe", none);
-  if (!none) all.push_back(program.parent_path().parent_path() / "share/flipbook");
+  if (!none) all.push_back((program.parent_path() / FLIPBOOK_ASSETS_FROM_PROGRAM).lexically_normal());
+  all.emplace_back(FLIPBOOK_SOURCE_ASSETS);
   return all;
 }
 
@@ -45,6 +45,24 @@ std::optional<std::string> find_asset(std::string_view folder, const std::string
     if (is_file(path)) return path.string();
   }
   return std::nullopt;
+}
+
+std::string find_input(std::string_view folder, const std::string& written, const Location& where) {
+  if (written.empty()) throw UserError("\"file\" must name a file", where);
+  const std::string first = SceneFiles::resolve(written, where);
+  const fs::path name = fs::path(written).filename();
+  std::vector<fs::path> tried{first}, all;
+  const fs::path beside = fs::path(where.file).parent_path() / name;
+  if (beside != tried.front() && !name.empty()) tried.push_back(beside);
+  all = tried;
+  for (const fs::path& root : roots())
+    if (!name.empty()) all.push_back(root / folder / name);
+  std::error_code none;
+  for (const fs::path& path : all)
+    if (fs::exists(path, none)) return path.string();
+  std::string paths;
+  for (const fs::path& path : tried) paths.append(paths.empty() ? "" : " and ").append(path.string());
+  throw UserError("there is no file \"" + written + "\" (looked for " + paths + ")", where);
 }
 
 std::vector<std::string> list_assets(std::string_view folder) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Where scenes and studies are found by name: $FLIPBOOK_ASSETS, the source tree that the program was built from, the
-// share/flipbook folder beside the installed program. The first that has the name wins.
+// Where scenes and studies are found by name: $FLIPBOOK_ASSETS, the share/flipbook folder beside the installed program,
+// the source tree that it was built from. The first that has the name wins.
 #pragma once
+
+#include "sim/frame/errors.h"
 
 #include <optional>
 #include <string>
@@ -17,6 +19,11 @@ namespace flipbook {
 
 /// Was a path given, rather than a name?
 [[nodiscard]] bool is_path(const std::string& name_or_path);
+
+/// A file that a scene names at `where`: relative to the scene's file, else by its last part beside that file (scene
+/// and data were moved to one folder), else by its last part in `folder` ("particles") of the assets. Throws UserError
+/// with the paths that were tried.
+[[nodiscard]] std::string find_input(std::string_view folder, const std::string& written, const Location& where);
 
 /// Every name in `folder`, sorted.
 [[nodiscard]] std::vector<std::string> list_assets(std::string_view folder);

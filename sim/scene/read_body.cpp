@@ -55,27 +55,27 @@ VelocityPtr by_motion(const Node& table, Mistakes& mistakes) {
   return velocity;
 }
 
-VelocityPtr read_velocity(const Node* node, Mistakes& mistakes) {
-  if (!node) return components_velocity({0, 0, 0}, {});
+} // namespace
+
+VelocityPtr read_velocity(const Node& node, Mistakes& mistakes) {
   try {
-    if (node->type == Node::Type::list) return by_components(*node, mistakes);
-    if (node->type == Node::Type::table) return by_motion(*node, mistakes);
+    if (node.type == Node::Type::list) return by_components(node, mistakes);
+    if (node.type == Node::Type::table) return by_motion(node, mistakes);
     mistakes.add("\"velocity\" must be a list such as [1, \"sin(y)\"] or a table such as { rotation = 2 }, not " +
-                     to_toml(*node),
-                 node->where);
+                     to_toml(node),
+                 node.where);
   } catch (const UserError& error) {
     mistakes.add(error);
   }
   return nullptr;
 }
 
-} // namespace
-
 Body read_body(const Node& table, SceneFiles& files, Mistakes& mistakes) {
   Body body;
   static constexpr std::string_view own[] = {"velocity"};
   body.shape = read_shape(table, own, files, mistakes);
-  body.velocity = read_velocity(table.type == Node::Type::table ? table.find("velocity") : nullptr, mistakes);
+  const Node* velocity = table.type == Node::Type::table ? table.find("velocity") : nullptr;
+  body.velocity = velocity ? read_velocity(*velocity, mistakes) : components_velocity({0, 0, 0}, {});
   return body;
 }
 

@@ -10,4 +10,7 @@ namespace flipbook {
 /// The shape is null where a mistake was made.
 [[nodiscard]] Body read_body(const Node& table, SceneFiles& files, Mistakes& mistakes);
 
+/// `velocity = [1, "sin(y)"]` or `velocity = { rotation = 2 }`; null where a mistake was made.
+[[nodiscard]] VelocityPtr read_velocity(const Node& node, Mistakes& mistakes);
+
 } // namespace flipbook

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An [[obstacle]] of a scene: a shape by name, its motion, and whether the fluid slips along it.
+// An [[obstacle]] of a scene: a shape by name, whether the fluid slips along it, and its motion.
 #pragma once
 
 #include "sim/scene/scene.h"
@@ -9,7 +9,8 @@
 
 namespace flipbook {
 
-/// Nothing where a mistake was made.
-[[nodiscard]] std::optional<Obstacle> read_obstacle(const Node& table, SceneFiles& files, Mistakes& mistakes);
+/// Nothing where a mistake was made. `domain`: of the scene.
+[[nodiscard]] std::optional<Obstacle> read_obstacle(const Node& table, const Domain& domain, SceneFiles& files,
+                                                    Mistakes& mistakes);
 
 } // namespace flipbook

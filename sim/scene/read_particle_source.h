@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A [[particles]] entry of a scene: a file of particles, its unit, and where it is put.
+// A [[particles]] entry of a scene: a file of particles (sim/files/README.md), its unit, and where it is put.
+//
+//   file      = "../data/drop.ply"    relative to the scene's file; else by its last part beside it or in
+//   assets/particles unit, scale, rotate, translate    see read_placement.h; velocities are scaled and turned alike
+//   velocity  = [1, 0]                instead of the file's, written as that of a body
 #pragma once
 
 #include "sim/scene/scene.h"

@@ -5,6 +5,7 @@
 #include "sim/scene/read_body.h"
 #include "sim/scene/read_obstacle.h"
 #include "sim/scene/read_particle_source.h"
+#include "sim/scene/rows_in_domain.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,8 +42,18 @@ void add_contents(const SceneText& text, Scene& scene, Mistakes& mistakes) {
     if (auto source = read_particle_source(entry, files, mistakes)) scene.particles.push_back(std::move(*source));
   });
   each_table(table, "obstacle", "obstacles", mistakes, [&](const Node& entry) {
-    if (auto obstacle = read_obstacle(entry, files, mistakes)) scene.obstacles.push_back(std::move(*obstacle));
+    if (auto obstacle = read_obstacle(entry, scene.domain(), files, mistakes)) scene.obstacles.push_back(std::move(*obstacle));
   });
+}
+
+void check_all_rows(const Scene& scene, Mistakes& mistakes) {
+  for (const ParticleSource& source : scene.particles) {
+    try {
+      check_rows(source, scene.settings);
+    } catch (const UserError& error) {
+      mistakes.add(error);
+    }
+  }
 }
 
 /// The parameters among the entries of the scene, those of the view apart.
@@ -123,6 +134,8 @@ Scene make_scene(const SceneText& text, std::span<const Assignment> changes, Mis
   all.insert(all.end(), changes.begin(), changes.end());
   apply(scene.settings, all, mistakes);
   add_contents(text, scene, mistakes);
+  // Told before anything is written. The notes' grid is another one and has its own check.
+  if (mistakes.none() && scene.settings.preset == Preset::none) check_all_rows(scene, mistakes);
   return scene;
 }
 

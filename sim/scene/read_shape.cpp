@@ -2,6 +2,7 @@
 #include "sim/scene/read_shape.h"
 
 #include "sim/scene/expression.h"
+#include "sim/scene/read_mesh_shape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,6 +71,8 @@ constexpr Entry shapes[] = {
      [](const Source& s) { return make_capsule(s.point("a"), s.point("b"), s.radius()); }},
     {{"half_space", "point, normal", "The side of a plane that its normal points away from"}, half_space},
     {{"implicit", "phi", "Where a formula in x, y, z is negative"}, implicit},
+    {{"mesh", "file, unit, scale, rotate, translate, fit", "What closed triangle meshes enclose: OBJ, STL or PLY"},
+     [](const Source& s) { return read_mesh_shape(s.table, s.files, s.mistakes); }},
     {{"union", "of", "What is in any of the shapes"}, combined<make_union>},
     {{"difference", "of", "What is in the first shape and in none of the others"}, combined<make_difference>},
     {{"intersection", "of", "What is in all the shapes"}, combined<make_intersection>},

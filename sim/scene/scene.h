@@ -25,6 +25,7 @@ struct Body {
 struct ParticleSource {
   std::string file;                         ///< as it was opened
   std::shared_ptr<const ParticleRows> rows; ///< world coordinates (metres, m/s), units and transform applied
+  VelocityPtr velocity;                     ///< instead of the rows' own where it is not null
   Location where;                           ///< in the scene
 };
 
@@ -37,7 +38,7 @@ struct Scene {
   std::vector<Obstacle> obstacles;
   std::vector<Assignment> view; ///< `view.*` suggestions of the scene, for the program; unknown to the solver
 
-  [[nodiscard]] Domain domain() const { return {settings.dim, settings.grid.size}; }
+  [[nodiscard]] Domain domain() const { return {settings.dim, settings.grid.size, settings.grid.origin}; }
 };
 
 } // namespace flipbook

@@ -2,6 +2,7 @@
 #include "sim/scene/seeding.h"
 
 #include "sim/core/random.h"
+#include "sim/scene/rows_in_domain.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,10 +51,43 @@ private:
   std::uint64_t per_cell_ = 1;
 };
 
-const Body* body_at(const Scene& scene, const Domain& domain, const Point& p) {
+/// Where obstacles and their images across periodic sides are at the start.
+class Blocked {
+public:
+  Blocked(const Scene& scene, const Domain& domain) : scene_(scene), domain_(domain) {
+    for (const Obstacle& o : scene.obstacles) poses_.push_back(o.pose(0));
+    for (std::size_t d = 0; d < static_cast<std::size_t>(domain.dim); ++d)
+      reach_[d] = scene.settings.walls.axis[d] == Wall::periodic ? 1 : 0;
+  }
+
+  [[nodiscard]] bool operator()(const Point& p) const {
+    if (poses_.empty()) return false;
+    const Point& size = domain_.size;
+    for (int k = -reach_[2]; k <= reach_[2]; ++k)
+      for (int j = -reach_[1]; j <= reach_[1]; ++j)
+        for (int i = -reach_[0]; i <= reach_[0]; ++i)
+          if (holds({p[0] + i * size[0], p[1] + j * size[1], p[2] + k * size[2]})) return true;
+    return false;
+  }
+
+private:
+  [[nodiscard]] bool holds(const Point& p) const {
+    for (std::size_t o = 0; o < poses_.size(); ++o)
+      if (scene_.obstacles[o].shape->contains(poses_[o].back(p), domain_)) return true;
+    return false;
+  }
+
+  const Scene& scene_;
+  const Domain& domain_;
+  std::vector<Pose> poses_;
+  std::array<int, 3> reach_{0, 0, 0};
+};
+
+/// The fluid that starts at p: none in an obstacle.
+const Body* body_at(const Scene& scene, const Domain& domain, const Blocked& blocked, const Point& p) {
   const auto at =
       std::find_if(scene.fluid.begin(), scene.fluid.end(), [&](const Body& b) { return b.shape->contains(p, domain); });
-  return at == scene.fluid.end() ? nullptr : &*at;
+  return at == scene.fluid.end() || blocked(p) ? nullptr : &*at;
 }
 
 /// Rounding to single precision must not lift a particle onto the upper wall.
@@ -62,17 +96,26 @@ template <class Real> Real below(double x, double size) {
   return std::min(static_cast<Real>(x), limit);
 }
 
+std::uint64_t rows_of(const Scene& scene) {
+  std::uint64_t count = 0;
+  for (const ParticleSource& source : scene.particles) count += source.rows->size();
+  return count;
+}
+
 } // namespace
 
 template <int Dim, class Real> Particles<Dim, Real> seed_particles(const Scene& scene, const Grid<Dim>& grid) {
   const Domain domain = scene.domain();
+  const Vec<Dim, double> size = grid.size_m();
+  for (const ParticleSource& source : scene.particles) check_rows(source, scene.settings);
   const Places<Dim> places(scene.settings.seeding, grid);
+  const Blocked blocked(scene, domain);
   const double tried = grid.cells.template cast<double>().prod() * std::pow(scene.settings.seeding.per_axis, Dim);
   if (tried > most_places)
     throw UserError("grid.cells and seeding.per_axis make " + std::to_string(std::llround(tried)) +
                     " places for particles; at most " + std::to_string(std::llround(most_places)) + " are supported");
-  std::uint64_t count = 0;
-  places.each([&](const Point& p) { count += body_at(scene, domain, p) ? 1U : 0U; });
+  std::uint64_t count = rows_of(scene);
+  places.each([&](const Point& p) { count += body_at(scene, domain, blocked, p) ? 1U : 0U; });
   if (count == 0) throw UserError("scene \"" + scene.name + "\": no particle starts inside the domain");
   if (count > most_particles)
     throw UserError("scene \"" + scene.name + "\" would have " + std::to_string(count) + " particles; at most " +
@@ -85,17 +128,21 @@ template <int Dim, class Real> Particles<Dim, Real> seed_particles(const Scene& 
   particles.id.reserve(count);
   const double mass =
       scene.settings.fluid.density * std::pow(grid.dx, Dim) / std::pow(scene.settings.seeding.per_axis, Dim);
-  const Vec<Dim, double> size = grid.size_m();
-  places.each([&](const Point& p) {
-    const Body* body = body_at(scene, domain, p);
-    if (!body) return;
-    const Point v = body->velocity->at(p, domain);
+  const auto add = [&](const Point& p, const Point& v) {
     Vec<Dim, Real> x, u;
     for (int d = 0; d < Dim; ++d) {
       x[d] = below<Real>(p[static_cast<std::size_t>(d)], size[d]);
       u[d] = static_cast<Real>(v[static_cast<std::size_t>(d)]);
     }
     particles.add(x, u, static_cast<Real>(mass), static_cast<std::uint32_t>(particles.size()));
+  };
+  for (const ParticleSource& source : scene.particles)
+    for (std::size_t i = 0; i < source.rows->size(); ++i) {
+      const Point p = from_corner(source.rows->x[i], scene.settings);
+      add(p, source.velocity ? source.velocity->at(p, domain) : source.rows->v[i]);
+    }
+  places.each([&](const Point& p) {
+    if (const Body* body = body_at(scene, domain, blocked, p)) add(p, body->velocity->at(p, domain));
   });
   return particles;
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The particles that a scene starts with: per_axis^Dim in each cell, one in each sub-cell, kept where they lie in a
+// The particles that a scene starts with. First the rows of its files, x = x_world - grid.origin, with ids that count
+// them from 0. Then those of its bodies: per_axis^Dim in each cell, one in each sub-cell, kept where they lie in a
 // body. The place in the sub-cell is its centre, or jitter = f(seed, cell, k), so that it depends neither on the
-// precision nor on what else is in the scene. Ids count from 0 in the order of the cells (x fastest), then of the
+// precision nor on what else is in the scene. Their ids go on in the order of the cells (x fastest), then of the
 // sub-cells.
 #pragma once
 
@@ -11,7 +12,8 @@
 
 namespace flipbook {
 
-/// Throws UserError where the particles are none or too many. Each has the mass density dx^Dim / per_axis^Dim.
+/// Each has the mass density dx^Dim / per_axis^Dim, from a file or not; where rows and bodies overlap there is fluid
+/// twice. Throws UserError where the particles are none or too many, and where check_rows() does.
 template <int Dim, class Real>
 [[nodiscard]] Particles<Dim, Real> seed_particles(const Scene& scene, const Grid<Dim>& grid);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/scene/settings.h"
 
+#include "sim/scene/preset.h"
+
 #include <cmath>
 #include <cstddef>
 
@@ -154,7 +156,8 @@ void LedgerSettings::describe(ParameterVisitor& v) {
           origin);
 }
 
-void Settings::describe(ParameterVisitor& v) {
+void Settings::describe(ParameterVisitor& all) {
+  PresetFilter v(all, *this);
   v.integer({.name = "dim", .help = "2: a plane, 3: space", .min = 2, .max = 3, .effect = Effect::restart}, dim);
   v.choice({.name = "preset", .help = "Whose algorithm runs", .effect = Effect::restart}, preset, presets);
   v.choice({.name = "precision", .help = "Numbers that the solver computes with", .effect = Effect::restart}, precision,
@@ -194,7 +197,7 @@ Settings::Conflict Settings::conflict() const {
   if (precision == Precision::single && pressure.tolerance < 1e-7)
     return {"pressure.tolerance", "a pressure.tolerance of " + to_toml(pressure.tolerance) +
                                       " cannot be reached in single precision; set precision = \"double\""};
-  return {};
+  return preset_conflict(*this);
 }
 
 } // namespace flipbook

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/transfer/schemes.h"
 
+#include "sim/frame/forwarding_visitor.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -32,30 +34,17 @@ template <class S> [[nodiscard]] constexpr bool titled() {
 }
 
 /// Hands one path of a component on to another visitor.
-class One final : public ParameterVisitor {
+class One final : public ForwardingVisitor {
 public:
-  One(ParameterVisitor& to, std::string_view path, bool applies) : to_(to), path_(path), applies_(applies) {}
-
-protected:
-  void visit(const std::string& path, const Spec& spec, Ref ref) override {
-    if (path != path_) return;
-    Spec s = spec;
-    s.name = path_;
-    s.applies = spec.applies && applies_;
-    std::visit([&](auto& r) { pass(s, r); }, ref);
-  }
+  One(ParameterVisitor& to, std::string_view path, bool applies)
+      : ForwardingVisitor(to), path_(path), applies_(applies) {}
 
 private:
-  void pass(const Spec& s, bool* x) { to_.flag(s, *x); }
-  void pass(const Spec& s, double* x) { to_.real(s, *x); }
-  void pass(const Spec& s, int* x) { to_.integer(s, *x); }
-  void pass(const Spec& s, ChoiceRef& x) { to_.choice(s, x.index, x.options); }
-  void pass(const Spec& s, std::string* x) { to_.text(s, *x); }
-  void pass(const Spec& s, std::span<double> x) { to_.reals(s, x); }
-  void pass(const Spec& s, std::span<int> x) { to_.integers(s, x); }
-  void pass(const Spec& s, NamesRef& x) { to_.names(s, x.names, x.options); }
+  bool change(const std::string& path, Spec& spec) override {
+    spec.applies = spec.applies && applies_;
+    return path == path_;
+  }
 
-  ParameterVisitor& to_;
   std::string_view path_;
   bool applies_;
 };

@@ -332,16 +332,6 @@ TEST(Program, ListsWhatThereIs) {
               AllOf(HasSubstr("transfer.flip_ratio"), HasSubstr("view.theme"), HasSubstr("output.fps")));
 }
 
-TEST(Program, VerifyPassesAndSaysSo) {
-  const Folder f;
-  const Outcome table = run({"verify", "--only", "apic"}, f.path());
-  EXPECT_EQ(table.code, 0) << table.out;
-  EXPECT_THAT(table.out, AllOf(HasSubstr("5.5"), HasSubstr("our extension"), HasSubstr(" 0 failed")));
-  EXPECT_THAT(run({"verify", "--only", "angular", "--threads", "1"}, f.path()).out, HasSubstr("angular momentum"));
-  const Outcome json = run({"verify", "--only", "5.5", "--json"}, f.path());
-  EXPECT_THAT(json.out, AllOf(StartsWith("["), HasSubstr("\"negative\": true"), HasSubstr("\"passed\": true")));
-}
-
 } // namespace
 
 } // namespace flipbook::test

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <fstream>
+#include <gtest/gtest.h>
 #include <sstream>
 #include <stdexcept>
 #include <sys/resource.h>
@@ -98,6 +99,13 @@ std::vector<std::string> Folder::files() const {
   for (const auto& entry : fs::recursive_directory_iterator(path_)) all.push_back(fs::relative(entry.path(), path_));
   std::sort(all.begin(), all.end());
   return all;
+}
+
+void expect_refusal(const Outcome& o, int code, const std::vector<std::string>& says) {
+  EXPECT_EQ(o.code, code) << o.err;
+  EXPECT_EQ(o.out, "");
+  EXPECT_EQ(std::count(o.err.begin(), o.err.end(), '\n'), 1) << o.err;
+  for (const std::string& s : says) EXPECT_NE(o.err.find(s), std::string::npos) << s << " is not in " << o.err;
 }
 
 std::string read_file(const fs::path& file) {

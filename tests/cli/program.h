@@ -43,6 +43,9 @@ private:
   std::filesystem::path path_;
 };
 
+/// One line on standard error that has all of `says`, nothing on standard output, and that exit code.
+void expect_refusal(const Outcome& o, int code, const std::vector<std::string>& says);
+
 [[nodiscard]] std::string read_file(const std::filesystem::path& file);
 
 } // namespace flipbook::test

@@ -12,7 +12,7 @@ namespace flipbook::test {
 namespace {
 
 /// A simulation that only keeps its time and may take steps of a given size.
-class Clock final : public Simulation {
+class Clock : public Simulation {
 public:
   explicit Clock(double most) : most_(most) {}
   [[nodiscard]] double time() const override { return time_; }
@@ -37,11 +37,20 @@ private:
   double most_, time_ = 0;
 };
 
+/// One whose steps are always taken whole.
+class FixedClock final : public Clock {
+public:
+  explicit FixedClock(double dt) : Clock(dt) {}
+  [[nodiscard]] double time() const override { return static_cast<double>(taken.size()) * max_dt(); }
+  [[nodiscard]] double fixed_dt() const override { return max_dt(); }
+};
+
 struct Clocks {
+  /// Negative: a clock with fixed steps.
   Clocks(std::vector<double> most, Lockstep lockstep) : pool(budget) {
     std::vector<std::unique_ptr<Simulation>> all;
     for (const double m : most) {
-      auto c = std::make_unique<Clock>(m);
+      std::unique_ptr<Clock> c = m < 0 ? std::make_unique<FixedClock>(-m) : std::make_unique<Clock>(m);
       clock.push_back(c.get());
       all.push_back(std::move(c));
     }
@@ -91,6 +100,40 @@ TEST(Stepper, WhatIsNotANumberIsLeftToTheStepToReport) {
   Clocks c({0.01, std::numeric_limits<double>::quiet_NaN()}, Lockstep::shared);
   EXPECT_TRUE(c.stepper->advance_to(1, never));
   EXPECT_EQ(c.clock[1]->taken, std::vector<double>{1.0});
+}
+
+TEST(Stepper, FixedStepsAreTakenWholeAndOnTheirOwn) {
+  Clocks c({0.03, -0.004}, Lockstep::shared);
+  for (int k = 1; k <= 3; ++k) ASSERT_TRUE(c.stepper->advance_to(k * 0.021, never));
+  EXPECT_EQ(c.clock[0]->taken.size(), 3U);                      // not cut down to 0.004
+  EXPECT_EQ(c.clock[1]->taken, std::vector<double>(16, 0.004)); // 0.063 / 0.004 = 15.75
+}
+
+TEST(Stepper, FixedStepsEndNearestToTheFrame) {
+  Clocks c({-0.01}, Lockstep::own);
+  for (const auto& [t, steps] :
+       std::vector<std::pair<double, std::size_t>>{{0.004, 0}, {0.006, 1}, {0.014, 1}, {0.1, 10}}) {
+    ASSERT_TRUE(c.stepper->advance_to(t, never));
+    EXPECT_EQ(c.clock[0]->taken.size(), steps) << t;
+  }
+}
+
+/// Frames that are a whole number of steps apart always get that number.
+TEST(Stepper, FixedStepsKeepTheirNumberOverManyFrames) {
+  const double dt = 0.001111112;
+  Clocks c({-dt}, Lockstep::shared);
+  for (std::size_t k = 1; k <= 3000; ++k) {
+    ASSERT_TRUE(c.stepper->advance_to(static_cast<double>(k) * (30 * dt * 30) / 30, never));
+    ASSERT_EQ(c.clock[0]->taken.size(), 30 * k);
+  }
+}
+
+TEST(Stepper, FixedStepsStopWhenAskedAndAreBounded) {
+  Clocks c({-0.01}, Lockstep::own);
+  EXPECT_FALSE(c.stepper->advance_to(1, [&] { return c.clock[0]->taken.size() == 5; }));
+  EXPECT_EQ(c.clock[0]->taken.size(), 5U);
+  Clocks endless({-1e-12}, Lockstep::own);
+  EXPECT_THROW((void)endless.stepper->advance_to(1, never), UserError);
 }
 
 TEST(Stepper, StopsBetweenStepsWhenAsked) {

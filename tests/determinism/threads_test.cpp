@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The same bytes for any number of threads.
-#include "tests/physics/flow.h"
+#include "tests/physics/solids.h"
 
 #include <gtest/gtest.h>
 
@@ -72,6 +72,39 @@ TEST_P(Threads, SameBytesIn3D) {
   s.walls.axis[2] = Wall::periodic;
   s.pressure.solver = PressureSolver::cg;
   expect_same_bytes<3, double>(s, 50);
+}
+
+/// Obstacles at rest and in motion, across a periodic side, with particles that they push.
+TEST(Threads, SameBytesWithObstaclesIn3D) {
+  Settings s = box({20, 20, 20}, 1.0 / 20, 3);
+  s.transfer.scheme = flip;
+  s.walls.axis[2] = Wall::periodic;
+  s.precision = Precision::single;
+  s.pressure.tolerance = 1e-6;
+  const auto turning = make_motion(
+      [](double t) {
+        return Displacement{{0.3 * t, 0, t}, 3 * t};
+      },
+      {1, 1, 0}, {0.6, 0.3, 0});
+  const std::vector<Obstacle> obstacles{{make_ball(at(0.3, 0.2, 0.5), 0.15)},
+                                        {make_box(at(0.5, 0.2, -0.1), at(0.7, 0.4, 0.2)), turning, true}};
+  const auto run = [&](int threads) {
+    Flow<3, float> flow(s, seed_around<3, float>(s, obstacles, [](const auto& x) { return x[1] < 0.5; }), threads,
+                        obstacles);
+    for (int i = 0; i < 12; ++i) flow.solver.step(flow.solver.max_dt());
+    Hash h;
+    for (std::size_t d = 0; d < 3; ++d) {
+      h.add(flow.particles().x[d]);
+      h.add(flow.particles().v[d]);
+      h.add(flow.state().u[d]);
+      h.add(flow.state().walls.open[d]);
+      h.add(flow.state().walls.u_solid[d]);
+    }
+    return h.value;
+  };
+  const std::uint64_t expected = run(1);
+  EXPECT_EQ(run(2), expected);
+  EXPECT_EQ(run(3), expected);
 }
 
 /// Two variants side by side on one pool give what each gives alone.

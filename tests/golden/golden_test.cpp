@@ -2,10 +2,12 @@
 // Pictures of stored snapshots against stored pictures. FLIPBOOK_UPDATE_GOLDEN=1 rewrites the stored
 // ones.
 #include "app/panel/panel.h"
+#include "tests/golden/bodies.h"
 #include "tests/golden/pictures.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 
@@ -53,6 +55,45 @@ render::Frame warned() {
   return f;
 }
 
+render::Frame made(const Snapshot& s) {
+  render::Frame f;
+  f.title = "One pane";
+  f.duration = 1;
+  f.panes.push_back({s.title, std::make_shared<Snapshot>(s)});
+  return f;
+}
+
+render::Frame z_up() {
+  Snapshot s = with_z_up(*stored("dam_3d"));
+  s.periodic = {false, true, false};
+  return made(s);
+}
+
+/// A ball of particles above the floor, a box and a sphere on it, and one drop near the lid.
+render::Frame shadows() {
+  Snapshot s = empty_tank(3, {0, 0, 0}, {2, 1, 1});
+  const auto within = [](const Vec3& x, const Vec3& centre, double r) {
+    return std::hypot(x[0] - centre[0], x[1] - centre[1], x[2] - centre[2]) < r;
+  };
+  add_particles(s, 0.025, [&](const Vec3& x) {
+    return within(x, {0.4, 0.22, 0.5}, 0.17) || within(x, {1.2, 0.9, 0.3}, 0.06) || (x[0] > 1.75 && x[1] < 0.12);
+  });
+  s.solids = {{box_mesh({-0.15, -0.2, -0.15}, {0.15, 0.2, 0.15}), {}}, {sphere_mesh(0.16, 24), {}}};
+  const double c = std::cos(0.5), n = std::sin(0.5);
+  s.solids[0].pose = {{c, 0, n, 0, 1, 0, -n, 0, c}, {0.95, 0.2, 0.4}};
+  s.solids[1].pose.shift = {1.45, 0.16, 0.7};
+  return made(s);
+}
+
+render::Frame bodies_2d() {
+  Snapshot s = empty_tank(2, {-1, 2, 0}, {1, 3, 1});
+  add_particles(s, 0.03, [](const Vec3& x) { return x[1] < 2.3 && std::hypot(x[0] - 0.2, x[1] - 2.3) > 0.21; });
+  s.solids = {{disc_mesh(0.2, 48), {}}, {disc_mesh(0.25, 4), {}}};
+  s.solids[0].pose.shift = {0.2, 2.3, 0};
+  s.solids[1].pose.shift = {-0.6, 2.1, 0};
+  return made(s);
+}
+
 const std::vector<std::string> bare{"view.show_panel=false", "view.plot_height=0", "view.captions=false"};
 std::vector<std::string> bare_with(std::vector<std::string> more) {
   more.insert(more.end(), bare.begin(), bare.end());
@@ -71,7 +112,23 @@ std::vector<Case> cases() {
       {"range", bare_with({"view.range=0,1"}), two_dams, 480, 270},
       {"grid_and_arrows", bare_with({"view.grid=true", "view.arrows=true", "view.particle_size=0.6"}), two_dams, 480,
        270},
-      {"balls", bare, [] { return one("dam_3d"); }, 480, 270},
+      {"water_3d", bare, [] { return one("dam_3d"); }, 480, 270},
+      {"water_3d_light", bare_with({"view.theme=light", "view.grid=true"}), [] { return one("dam_3d"); }, 480, 270},
+      {"water_3d_orbited",
+       bare_with({"view.azimuth=60", "view.elevation=40", "view.zoom=1.6", "view.target=0.7,0.4,0.5"}),
+       [] { return one("dam_3d"); }, 480, 270},
+      {"water_3d_without_walls", bare_with({"view.walls=false", "view.particle_size=0.8"}),
+       [] { return one("dam_3d"); }, 480, 270},
+      {"z_up_periodic", bare, z_up, 480, 270},
+      {"shadows_dark", bare_with({"view.elevation=30"}), shadows, 480, 270},
+      {"shadows_light", bare_with({"view.elevation=30", "view.theme=light", "view.grid=true"}), shadows, 480, 270},
+      {"bodies_2d", bare, bodies_2d, 480, 270},
+      {"bodies_2d_light", bare_with({"view.theme=light"}), bodies_2d, 480, 270},
+      {"four_panes_3d",
+       {"view.colour=speed"},
+       [] {
+         return frame_of("Four", {"dam_3d", "dam_3d", "dam_3d", "dam_3d"});
+       }},
       {"one_pane", {}, [] { return one("dam_flip"); }},
       {"two_panes_light", {"view.theme=light", "view.show_panel=false"}, warned},
       {"four_panes_dragged", {}, dragged},

@@ -75,8 +75,8 @@ template <int Dim, class Real = double> struct Flow {
   Budget::Permit permit;
   FluidSolver<Dim, Real> solver;
 
-  Flow(const Settings& s, Particles<Dim, Real> particles, int threads = 1)
-      : budget(threads), pool(budget), permit(budget), solver(s, std::move(particles), pool) {}
+  Flow(const Settings& s, Particles<Dim, Real> particles, int threads = 1, std::vector<Obstacle> obstacles = {})
+      : budget(threads), pool(budget), permit(budget), solver(s, std::move(particles), pool, std::move(obstacles)) {}
 
   /// In steps of at most dt (0: as long as allowed) that end exactly there.
   void run_to(double time, double dt = 0) {

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <limits>
 #include <string>
 
 namespace flipbook {
@@ -53,10 +54,10 @@ TEST(HostileSnapshot, IsRefusedWithItsLine) {
   EXPECT_EQ(load(good), "no error");
   EXPECT_EQ(load("nonsense"), "S:1:1: is not a snapshot: its first line must be \"flipbook-snapshot 1\"");
   EXPECT_EQ(load(replaced(good, "\nx 4 ", "\nx 4000000000 ")),
-            "S:35: a length of 4000000000 is more than the file holds");
+            "S:36: a length of 4000000000 is more than the file holds");
   EXPECT_EQ(load(replaced(good, "\nparameters 1", "\nparameters 99")),
             "S:6: a length of 99 is more than the file holds");
-  EXPECT_EQ(load(replaced(good, "\nx 4 ", "\nx -1 ")), "S:35: expected a number");
+  EXPECT_EQ(load(replaced(good, "\nx 4 ", "\nx -1 ")), "S:36: expected a number");
 }
 
 TEST(HostileSnapshot, MustBeConsistent) {
@@ -67,6 +68,26 @@ TEST(HostileSnapshot, MustBeConsistent) {
   };
   EXPECT_EQ(wrong([](Snapshot& s) { s.dim = 4; }), "S: dim must be 2 or 3");
   EXPECT_EQ(wrong([](Snapshot& s) { s.dx = 0; }), "S: dx must be positive");
+  EXPECT_EQ(wrong([](Snapshot& s) { s.hi[1] = s.lo[1]; }), "S: hi must be above lo on every axis");
+  EXPECT_EQ(wrong([](Snapshot& s) { s.hi[0] = std::numeric_limits<double>::infinity(); }),
+            "S: the domain must be finite");
+  EXPECT_EQ(wrong([](Snapshot& s) { s.up = {0, 1, 1}; }), "S: up must point along one axis");
+  const auto wrong_mesh = [&](const TriangleMesh& m) {
+    return wrong([&](Snapshot& s) { s.solids = {{std::make_shared<TriangleMesh>(m), {}}}; });
+  };
+  EXPECT_EQ(wrong_mesh({{0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}, {2, 0}}), "no error");
+  const std::string stray = "S: a solid's triangles and outline must name its vertices";
+  EXPECT_EQ(wrong_mesh({{0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 3}, {}}), stray);
+  EXPECT_EQ(wrong_mesh({{0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1}, {}}), stray);
+  EXPECT_EQ(wrong_mesh({{0, 0, 0, 1, 0, 0, 0, 1, 0}, {}, {7, 0}}), stray);
+  const std::string numbers = "S: a solid must have three finite numbers for each vertex";
+  EXPECT_EQ(wrong_mesh({{0, 0}, {}, {}}), numbers);
+  EXPECT_EQ(wrong_mesh({{0, 0, std::numeric_limits<float>::quiet_NaN()}, {}, {}}), numbers);
+  EXPECT_EQ(wrong([](Snapshot& s) {
+              s.solids = {{std::make_shared<TriangleMesh>(), {}}};
+              s.solids[0].pose.shift[2] = std::numeric_limits<double>::quiet_NaN();
+            }),
+            "S: the pose of a solid must be finite");
   EXPECT_EQ(wrong([](Snapshot& s) { s.x.pop_back(); }), "S: x must hold 4 numbers, one per particle and axis");
   EXPECT_EQ(wrong([](Snapshot& s) { s.v.push_back(0); }), "S: v must hold 4 numbers, one per particle and axis");
   EXPECT_EQ(wrong([](Snapshot& s) { s.channels[0].values.clear(); }),

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <set>
 
@@ -173,13 +174,16 @@ TEST(Scene, ShipsReady) {
                            "taylor_green", "gresho", "annotated"})
     EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
   for (const std::string& name : names) {
-    const Scene plane = read_scene(name);
+    const std::vector<Assignment> flat{{"dim", 2.0, {}}};
+    const Scene plane = read_scene(name, flat);
     EXPECT_FALSE(plane.summary.empty()) << name;
     Grid<2> grid{{plane.settings.grid.cells[0], plane.settings.grid.cells[1]}, plane.settings.dx()};
     EXPECT_GT((seed_particles<2, float>(plane, grid).size()), 1000U) << name;
 
-    const double aspect = plane.settings.grid.size[1] / plane.settings.grid.size[0];
-    const std::vector<Assignment> space{{"dim", 3.0, {}}, {"grid.cells", std::vector<double>{24, 24 * aspect}, {}}};
+    std::vector<double> cells(plane.settings.grid.cells.begin(), plane.settings.grid.cells.begin() + 2);
+    while (cells[0] > 40 && std::fmod(cells[0], 2) == 0 && std::fmod(cells[1], 2) == 0)
+      for (double& n : cells) n /= 2;
+    const std::vector<Assignment> space{{"dim", 3.0, {}}, {"grid.cells", cells, {}}};
     const Scene s = read_scene(name, space);
     Grid<3> cube{{s.settings.grid.cells[0], s.settings.grid.cells[1], s.settings.grid.cells[2]}, s.settings.dx()};
     EXPECT_GT((seed_particles<3, float>(s, cube).size()), 1000U) << name;

@@ -60,6 +60,7 @@ Snapshot example() {
   s.cells = {4, 2, 1};
   s.dx = 0.5;
   s.periodic = {true, false, true};
+  s.up = {0, 0, -1};
   s.particle_spacing = 0.25;
   for (int i = 0; i < 34; ++i)
     s.x.push_back(1.0F / static_cast<float>(i + 3)), s.v.push_back(-0.1F * static_cast<float>(i));
@@ -67,6 +68,9 @@ Snapshot example() {
   s.channels = {{"speed", "m/s", 0, 1.5, false, std::vector<float>(17, 0.1F)},
                 {"vorticity", "1/s", -2, 2, true, std::vector<float>(17, -0.0F)}};
   s.lattices = {{"u", {5, 2, 1}, {0, 0.25F, 0}, 0.5F, std::vector<float>(10, 1e-38F)}};
+  s.solids.resize(2);
+  s.solids[0].surface = std::make_shared<TriangleMesh>(TriangleMesh{{0, 0, 0, 1, 0, 0, 0, 1.5F, 0}, {0, 1, 2}, {0, 1}});
+  s.solids[1] = {s.solids[0].surface, {{0, 1, 0, -1, 0, 0, 0, 0, 1}, {0.1, 0.2, 0.3}}};
   s.history = std::make_shared<History>(History{{0, 0.5F}, {{"kinetic", "J", {1, 2}}, {"total", "J", {3, 4}}}});
   return s;
 }
@@ -113,6 +117,15 @@ TEST(SnapshotFile, HoldsEveryFieldExactly) {
   EXPECT_EQ(a.cells, b.cells);
   EXPECT_EQ(a.dx, b.dx);
   EXPECT_EQ(a.periodic, b.periodic);
+  EXPECT_EQ(a.up, b.up);
+  ASSERT_EQ(b.solids.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(b.solids[i].pose.rotation, a.solids[i].pose.rotation);
+    EXPECT_EQ(b.solids[i].pose.shift, a.solids[i].pose.shift);
+    EXPECT_EQ(b.solids[i].surface->vertices, a.solids[i].surface->vertices);
+    EXPECT_EQ(b.solids[i].surface->triangles, a.solids[i].surface->triangles);
+    EXPECT_EQ(b.solids[i].surface->outline, a.solids[i].surface->outline);
+  }
   EXPECT_EQ(a.particle_spacing, b.particle_spacing);
   EXPECT_EQ(a.x, b.x);
   EXPECT_EQ(a.v, b.v);

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "render/gl/layer.h"
+
+#include "sim/frame/errors.h"
+
+#include <algorithm>
+#include <string>
+
+namespace flipbook::render::gl {
+namespace {
+
+void make_texture(const Functions& gl, const Texture& texture, int width, int height) {
+  gl.BindTexture(GL_TEXTURE_2D, texture.name());
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+} // namespace
+
+Layer::Layer(const Functions& gl)
+    : gl_(&gl), program_(gl, "layer"), none_(gl), framebuffer_(gl), colour_(gl), under_(gl), depth_(gl) {}
+
+/// Panes of one page differ little in size: room for the largest serves all.
+void Layer::reserve(int width, int height) {
+  if (width <= width_ && height <= height_) return;
+  width_ = std::max(width, width_);
+  height_ = std::max(height, height_);
+  const Functions& gl = *gl_;
+  gl.ActiveTexture(GL_TEXTURE0);
+  make_texture(gl, under_, width_, height_);
+  make_texture(gl, colour_, detail * width_, detail * height_);
+  gl.BindRenderbuffer(GL_RENDERBUFFER, depth_.name());
+  gl.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, detail * width_, detail * height_);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour_.name(), 0);
+  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
+  if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    throw MachineError("OpenGL refused a framebuffer of " + std::to_string(detail * width_) + "x" +
+                       std::to_string(detail * height_) + " pixels");
+}
+
+void Layer::begin(const Area& area, int margin) {
+  reserve(area.w, area.h);
+  const Functions& gl = *gl_;
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  gl.Viewport(-detail * margin, -detail * margin, detail * (area.w + 2 * margin), detail * (area.h + 2 * margin));
+  gl.Enable(GL_SCISSOR_TEST);
+  gl.Scissor(0, 0, detail * area.w, detail * area.h);
+  gl.Disable(GL_BLEND);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthFunc(GL_LESS);
+  gl.DepthMask(GL_TRUE);
+  gl.ClearColor(0, 0, 0, 0);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void Layer::finish(const Area& area, const Canvas& canvas) const {
+  const Functions& gl = *gl_;
+  canvas.bind();
+  gl.Disable(GL_DEPTH_TEST);
+  gl.Scissor(area.x, area.y, area.w, area.h);
+  gl.ActiveTexture(GL_TEXTURE1);
+  gl.BindTexture(GL_TEXTURE_2D, under_.name());
+  gl.CopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, area.x, area.y, area.w, area.h);
+  gl.ActiveTexture(GL_TEXTURE0);
+  gl.BindTexture(GL_TEXTURE_2D, colour_.name());
+  program_.use();
+  program_.set("layer", 0);
+  program_.set("under", 1);
+  program_.set("corner", area.x, area.y);
+  gl.BindVertexArray(none_.name());
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  gl.Disable(GL_SCISSOR_TEST);
+}
+
+} // namespace flipbook::render::gl

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Where the solid things of a 3D pane are drawn: four times the pixels (2 x 2), with depth. finish() puts it over what
+// the canvas shows there already: the mean of the four in linear light, so that bright edges on a dark page are neither
+// too thin nor fringed. Nothing else of the picture is resampled.
+#pragma once
+
+#include "render/gl/canvas.h"
+#include "render/gl/program.h"
+#include "render/shapes.h"
+
+namespace flipbook::render::gl {
+
+class Layer {
+public:
+  static constexpr int detail = 2; ///< pixels of the layer for each of the picture's, on an axis
+
+  explicit Layer(const Functions& gl);
+  /// Makes the layer of these pixels of the picture what is drawn on, empty. The viewport is `margin` pixels of the
+  /// picture larger on each side, so that points are drawn whose middle is outside.
+  void begin(const Area& area, int margin);
+  /// Draws it onto the canvas.
+  void finish(const Area& area, const Canvas& canvas) const;
+
+private:
+  void reserve(int width, int height);
+
+  const Functions* gl_;
+  Program program_;
+  VertexArray none_;
+  Framebuffer framebuffer_;
+  Texture colour_, under_;
+  Renderbuffer depth_;
+  int width_ = 0, height_ = 0; ///< of the picture, that there is room for
+};
+
+} // namespace flipbook::render::gl
