@@ -35,8 +35,9 @@ public:
     if (comma != std::string::npos) skip(comma + 1);
     offer.unfinished = true;
   }
+  [[nodiscard]] bool fits(const std::string& text) const { return text.starts_with(word_); }
   void add(const std::string& text, const std::string& help = "") {
-    if (text.starts_with(word_)) offer.entries.push_back({fixed_ + text, help});
+    if (fits(text)) offer.entries.push_back({fixed_ + text, help});
   }
   [[nodiscard]] const std::string& word() const { return word_; }
 
@@ -57,7 +58,8 @@ std::string line_of_help(const char* folder, const std::string& name, const char
 }
 
 void add_assets(Collector& all, const char* folder, const char* key) {
-  for (const std::string& name : list_assets(folder)) all.add(name, line_of_help(folder, name, key));
+  for (const std::string& name : list_assets(folder))
+    if (all.fits(name)) all.add(name, line_of_help(folder, name, key)); // a file is only read for a line that is shown
 }
 
 void add_values(Collector& all, const Parameter& p) {

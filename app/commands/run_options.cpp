@@ -181,6 +181,7 @@ int RunOptions::run(Study study, const MakeSchedule& make_schedule, const MakeSi
   std::vector<std::string> warnings = drop_idle_keys(study, resolved);
   if (video)
     for (std::string& w : late_keys(study, resolved)) warnings.push_back(std::move(w));
+  for (std::string& w : long_run(resolved)) warnings.push_back(std::move(w));
   const std::string toml = to_toml(study);
   if (!save_study_.empty()) write_file(save_study_, to_toml(for_folder(study, folder_of(save_study_))));
   Outputs outputs{make_sinks(resolved, toml), nullptr};

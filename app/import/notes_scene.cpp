@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 
 namespace flipbook::app {
 
@@ -26,6 +28,14 @@ std::string line(const std::string& key, const std::string& value, const std::st
   std::string text = key + " = " + value;
   if (!comment.empty()) text += std::string(text.size() < column ? column - text.size() : 1, ' ') + "# " + comment;
   return text + "\n";
+}
+
+/// Speed of what has fallen through the whole domain, to one digit: a scale of colours that does not move.
+double fastest(const NotesJson& notes) {
+  const double v = std::sqrt(2 * std::abs(notes_gravity[2]) * notes.h * notes.res[2]);
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.0e", v);
+  return std::strtod(text.data(), nullptr);
 }
 
 /// A name in a comment: what could end the line is left out.
@@ -109,7 +119,9 @@ std::string notes_study(const NotesJson& notes, const std::string& scene, bool p
   variant("flip", line("transfer.flip_ratio", "1"));
   variant("apic", "");
   if (preset) text += "# The notes have no such scheme: Flipbook's method runs there, on the same particles.\n";
-  return text + "\n[view]\n" + line("colour", "\"speed\"") + line("panel", R"(["flip_ratio", "cells", "dt"])");
+  return text + "\n[view]\n" + line("colour", "\"speed\"") +
+         line("range", list_text(std::array{0.0, fastest(notes)}), "m/s, as what falls through the domain has") +
+         line("panel", R"(["flip_ratio", "cells", "dt"])");
 }
 
 } // namespace flipbook::app

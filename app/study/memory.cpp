@@ -95,4 +95,16 @@ void refuse_too_large(const Resolved& resolved) {
   if (available > 0) refuse_too_large(resolved, available);
 }
 
+std::vector<std::string> long_run(const Resolved& resolved) {
+  constexpr double many = 1e7;
+  const double particles = memory_need(resolved).particles;
+  if (particles <= many) return {};
+  const bool space = resolved.variants.front().scene.settings.dim == 3;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "%.3g million particles in all panes will take long; half as many cells along x are %d times fewer",
+                1e-6 * particles, space ? 8 : 4);
+  return {text};
+}
+
 } // namespace flipbook::app

@@ -8,6 +8,9 @@
 
 #include "app/study/resolve.h"
 
+#include <string>
+#include <vector>
+
 namespace flipbook::app {
 
 struct Need {
@@ -20,5 +23,9 @@ struct Need {
 void refuse_too_large(const Resolved& resolved, double available);
 /// The same for the memory of this machine.
 void refuse_too_large(const Resolved& resolved);
+
+/// Says that a run with more than 10 million particles will take long, and what would be quicker; nothing if it has
+/// not.
+[[nodiscard]] std::vector<std::string> long_run(const Resolved& resolved);
 
 } // namespace flipbook::app

@@ -17,7 +17,7 @@ constexpr std::size_t bands = 8;         ///< of the map that are filled side by
 constexpr std::size_t block = 16;        ///< balls that are dismissed together
 constexpr int tile = 8;                  ///< side of the squares of the map that they are compared with
 constexpr std::size_t piece = 1U << 14U; ///< balls in a piece of a loop
-constexpr int reach = 6;                 ///< of the surroundings in pixels: no less than the radius of most discs
+constexpr int around = 6;                ///< of the surroundings in pixels: no less than the radius of most discs
 constexpr int lanes = 8;                 ///< pixels that are computed together
 constexpr float nothing = std::numeric_limits<float>::infinity();
 
@@ -197,7 +197,7 @@ void Occlusion::keep_visible(const Projection& p, const Workers& workers) {
       const Ball b = p.ball(&positions_[3 * i], i);
       const Disc d = p.disc(b);
       if (p.misses(b, d)) continue;
-      if (p.holds(d) && d.r <= reach && d.depth - p.radius > wide_.at(static_cast<int>(d.x), static_cast<int>(d.y)))
+      if (p.holds(d) && d.r <= around && d.depth - p.radius > wide_.at(static_cast<int>(d.x), static_cast<int>(d.y)))
         continue;
       if (!map_.hides(d, p.radius)) kept.push_back(b);
     }
@@ -219,7 +219,7 @@ void Occlusion::widen(const Workers& workers) {
       float* to = rows_.row(j);
       const float* from = map_.row(j);
       std::copy(from, from + width, to);
-      for (int k = 1; k <= std::min(reach, width - 1); ++k) {
+      for (int k = 1; k <= std::min(around, width - 1); ++k) {
         raise(to, from + k, width - k);
         raise(to + k, from, width - k);
       }
@@ -229,7 +229,7 @@ void Occlusion::widen(const Workers& workers) {
     for (int j = static_cast<int>(begin); j < static_cast<int>(end); ++j) {
       float* to = wide_.row(j);
       std::copy(rows_.row(j), rows_.row(j) + width, to);
-      for (int k = std::max(j - reach, 0); k <= std::min(j + reach, height - 1); ++k) raise(to, rows_.row(k), width);
+      for (int k = std::max(j - around, 0); k <= std::min(j + around, height - 1); ++k) raise(to, rows_.row(k), width);
     }
   });
 }

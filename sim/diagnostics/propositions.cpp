@@ -70,8 +70,7 @@ struct Rounding {
 Rounding rounding(const Claim& c) {
   const double n = c.cycles;
   if (c.cycles > 1)
-    return {40 * n, "40 eps a cycle: independent roundings add up like sqrt(n), those that repeat in a steady state "
-                    "like n"};
+    return {40 * n, "40 eps a cycle: independent roundings grow like sqrt(n), those that repeat like n"};
   if (c.quantity == Quantity::transfer)
     return {1000, "1000 eps: near a grid plane x_i - x_p cancels, and D_p^-1 or K_p^-1 makes the loss larger"};
   return {200, "200 eps: sums of a few hundred rounded products"};
@@ -90,7 +89,7 @@ void set_bound(Case& c, double strictness) {
   r.bound = allowed.eps * eps / strictness;
   r.reason = allowed.why;
   if (c.claim->check == Check::cycles && c.claim->quantity == Quantity::angular && c.kernel == KernelName::linear)
-    r.reason += "; with the linear kernel C_p D_p changes when x_p moves: counted apart here, must fail below";
+    r.reason += "; what a move changes in C_p D_p of the linear kernel is counted apart (it must fail, below)";
 }
 
 std::vector<Case> all_cases(double strictness) {

@@ -81,7 +81,12 @@ template <int Dim, class Real> std::vector<Solid> Recorder<Dim, Real>::solids(co
   const auto& obstacles = state.solids.all();
   surfaces_.resize(obstacles.size());
   std::vector<Solid> all;
+  const Vec<Dim, double> size = state.grid.size_m();
   for (const auto& standing : state.solids.standing()) {
+    bool inside = true; // some of it; one may stand beside the domain, about to come in
+    for (std::size_t d = 0; d < Dim; ++d)
+      inside = inside && standing.bounds.lo[d] < size[static_cast<int>(d)] && standing.bounds.hi[d] > 0;
+    if (!inside) continue;
     auto& surface = surfaces_[standing.obstacle];
     if (!surface) surface = solid_surface(obstacles[standing.obstacle], {Dim, state.settings.grid.size});
     Pose pose = standing.pose;

@@ -113,6 +113,7 @@ TEST_F(Import, AStudyComparesTheSchemes) {
   std::vector<std::string> titles;
   for (const auto& v : r.variants) titles.push_back(v.scene.settings.transfer.title());
   EXPECT_THAT(titles, ElementsAre("PIC", "FLIP 0.95", "FLIP 1", "APIC"));
+  EXPECT_EQ(r.view.range, (std::array<double, 2>{0, 2})); // sqrt(2 g 0.14 m) = 1.66 m/s
   EXPECT_EQ(r.frames, 6U); // 17 steps of 0.002 s pass 1/30 s - 1e-4 s; 100 of them in all
 }
 

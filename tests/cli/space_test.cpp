@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Scenes in three dimensions from the command line: each scene runs in both, and one number of cells is enough.
 #include "app/commands/variants.h"
+#include "app/study/memory.h"
 #include "app/study/resolve.h"
 #include "sim/frame/errors.h"
 #include "sim/scene/read_scene.h"
@@ -78,6 +79,18 @@ TEST(Cells, AnyWayToWriteThemIsTheSame) {
     if (first.empty()) first = pixels;
     EXPECT_TRUE(pixels == first) << n;
   }
+}
+
+TEST(Cells, ManyOfThemAreAWarning) {
+  const auto said = [](const std::string& scene, const std::string& dim) {
+    app::Study study = app::study_of_scene(scene);
+    app::assign(study, {"dim", parse_value(dim), {"--dim", 0, 0}});
+    study.variants.resize(4);
+    return app::long_run(app::resolve(study));
+  };
+  EXPECT_THAT(said("dam_break", "3"), ElementsAre("21.5 million particles in all panes will take long; half as many "
+                                                  "cells along x are 8 times fewer")); // 4 * 0.32 * 256^3
+  EXPECT_THAT(said("dam_break", "2"), ElementsAre());
 }
 
 } // namespace

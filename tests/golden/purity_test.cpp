@@ -61,12 +61,13 @@ TEST_F(Purity, PictureIsOpaque) {
 }
 
 TEST(Backends, AgreeWithEachOther) {
-  std::vector<render::Image> pictures;
+  std::vector<render::Image> pictures, in_space;
   for (const render::Backend backend : {render::Backend::osmesa, render::Backend::egl}) {
     try {
       const auto context = render::Context::create(backend);
       render::Renderer renderer(*context, 640, 360, app::make_panel());
       pictures.push_back(renderer.draw(dragged(), view_with({"view.colour=vorticity"})));
+      in_space.push_back(renderer.draw(frame_of("3D", {"dam_3d"}), {}));
     } catch (const MachineError& e) {
       GTEST_SKIP() << "this machine has only one way to OpenGL: " << e.what();
     }
@@ -76,6 +77,7 @@ TEST(Backends, AgreeWithEachOther) {
   // inside discs and up to a few at their edges.
   EXPECT_LE(d.largest, 12);
   EXPECT_LE(d.mean, 0.1);
+  EXPECT_LE(difference(in_space[0], in_space[1]).mean, 0.1);
 }
 
 } // namespace

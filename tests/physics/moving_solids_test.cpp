@@ -247,7 +247,28 @@ TEST(MovingBall, CrossesAPoolWithoutATrace) {
   expect_clean_passage<3>(flip, Splitting::lie, false);
 }
 
-/// A still ball in a stream of dt bounds nothing; a fast one does.
+/// What is drawn stands where the obstacle is, with one surface for the whole run, and again across a periodic side.
+TEST(MovingBall, IsPublished) {
+  Settings s = weightless(16);
+  s.walls.axis[0] = Wall::periodic;
+  const std::vector<Obstacle> obstacles{{make_ball(at(0.5, 0.5), 0.1), steady({1, 0, 0})},
+                                        {make_box(at(0.2, 0.1), at(0.3, 0.2))}};
+  Flow<2> flow(s, seed_around<2>(s, obstacles, everywhere<2>), 1, obstacles);
+  const auto first = flow.solver.snapshot(0, {});
+  ASSERT_EQ(first->solids.size(), 2U);
+  EXPECT_EQ(first->solids[1].pose.shift[0], 0);
+  flow.run_to(0.5, 0.01);
+  const auto later = flow.solver.snapshot(1, {});
+  ASSERT_EQ(later->solids.size(), 3U) << "half of the ball on each side";
+  for (const Solid& solid : later->solids) {
+    ASSERT_FALSE(solid.surface->triangles.empty());
+    EXPECT_EQ(solid.surface == first->solids[0].surface, solid.pose.shift[0] == 0) << "the box comes first";
+  }
+  EXPECT_NEAR(later->solids[1].pose.shift[0], -0.5, 1e-12);
+  EXPECT_NEAR(later->solids[2].pose.shift[0], 0.5, 1e-12);
+}
+
+/// A still ball does not bound a step; a fast one does.
 TEST(MovingBall, BoundsTheStep) {
   Settings s = weightless(32);
   const auto max_dt = [&](std::vector<Obstacle> obstacles) {

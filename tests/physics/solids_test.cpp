@@ -191,5 +191,15 @@ TEST(StillPoolWithSolids, StaysStillIn3D) {
   expect_still<3>(16, apic, Splitting::lie, 1e-9);
 }
 
+/// Cut cells that hold no particle are liquid where the cells beside them do.
+TEST(StillPoolWithSolids, StaysStillWithAVoxelSurface) {
+  Settings s = box({32, 32, 32}, 1.0 / 32);
+  s.fluid.surface = Surface::voxel;
+  const std::vector<Obstacle> obstacles{{make_half_space(at(0.5, 0.23), at(0.31, 1))}};
+  Flow<2> flow(s, seed_around<2>(s, obstacles, [](const auto& x) { return x[1] < 0.75; }), 1, obstacles);
+  flow.run_to(0.5);
+  EXPECT_LT(flow.max_speed(), 1e-9);
+}
+
 } // namespace
 } // namespace flipbook::test

@@ -125,6 +125,8 @@ TEST(Timeline, MovesTheViewAndAsksForAllThatItWillShow) {
                                "view.colour = \"speed\"\nview.range = [0, 3]\nview.particle_size = 1\n");
   EXPECT_TRUE(r.commands().empty()) << "no solver has such a parameter";
   const auto view = [&](double t) { return r.timeline.view(t, r.view); };
+  EXPECT_TRUE(r.timeline.moves("view.particle_size"));
+  EXPECT_FALSE(r.timeline.moves("view.azimuth"));
   EXPECT_DOUBLE_EQ(view(0).particle_size, 1);
   EXPECT_DOUBLE_EQ(view(1).particle_size, 2);
   EXPECT_FALSE(view(0.9).arrows);
