@@ -134,8 +134,9 @@ void SolidView::draw(const PaneView& pane, const Rect& viewport, Colour colour) 
   program_.set_matrix("view", &view[0][0]);
   program_.set("domain", static_cast<float>(s.hi[0] - lo.x), static_cast<float>(s.hi[1] - lo.y),
                static_cast<float>(s.hi[2] - lo.z));
+  const glm::vec3 eye(camera.eye() - lo);
+  program_.set("camera", eye.x, eye.y, eye.z);
   program_.set("colour", colour.r / 255.F, colour.g / 255.F, colour.b / 255.F);
-  for (GLenum plane = 0; plane < 6; ++plane) gl.Enable(GL_CLIP_DISTANCE0 + plane);
   for (const Solid& solid : s.solids) {
     glm::mat4 model(1);
     for (int row = 0; row < 3; ++row) {
@@ -149,7 +150,6 @@ void SolidView::draw(const PaneView& pane, const Rect& viewport, Colour colour) 
     gl.BindVertexArray(surface.array.name());
     gl.DrawArrays(GL_TRIANGLES, 0, surface.count);
   }
-  for (GLenum plane = 0; plane < 6; ++plane) gl.Disable(GL_CLIP_DISTANCE0 + plane);
 }
 
 } // namespace flipbook::render
