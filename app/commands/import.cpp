@@ -5,6 +5,7 @@
 #include "app/encode/staging.h"
 #include "app/import/notes_json.h"
 #include "app/import/notes_scene.h"
+#include "app/study/relative_path.h"
 #include "sim/frame/errors.h"
 #include "sim/scene/assets.h"
 #include "sim/scene/read_scene.h"
@@ -40,7 +41,7 @@ public:
     refuse_to_replace(scene, force_);
     if (study_) refuse_to_replace(study, force_);
 
-    const std::string called = relative_to(scene, particles);
+    const std::string called = relative_path(particles, fs::absolute(scene).parent_path());
     const std::shared_ptr<const ParticleRows> rows = checked_particles(notes, particles);
     for (const std::string& warning : notes.warnings) std::cerr << "warning: " << warning << '\n';
     const bool preset = !preset_.empty();

@@ -3,6 +3,7 @@
 #include "app/commands/command.h"
 #include "app/commands/text_output.h"
 #include "app/encode/staging.h"
+#include "app/study/relative_path.h"
 #include "app/study/study.h"
 #include "sim/frame/errors.h"
 #include "sim/scene/assets.h"
@@ -80,7 +81,7 @@ private:
     const std::string scene = scene_.empty() ? "dam_break" : scene_;
     (void)load_scene(scene); // says which name is near
     if (!is_path(scene) || fs::path(scene).is_absolute()) return scene;
-    return relative_to(file, scene);
+    return relative_path(scene, fs::absolute(file).parent_path());
   }
 
   [[nodiscard]] std::string filled(const What& kind, const fs::path& file) const {

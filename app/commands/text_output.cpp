@@ -22,12 +22,4 @@ void refuse_to_replace(const fs::path& file, bool force) {
     throw UserError(file.string() + " exists; --force replaces it");
 }
 
-std::string relative_to(const fs::path& from, const fs::path& file) {
-  std::error_code failed; // of what exists the real places are compared: ".." of a link is not where the link is
-  const fs::path folder = fs::weakly_canonical(fs::absolute(from).parent_path(), failed);
-  const fs::path target = fs::weakly_canonical(fs::absolute(file), failed);
-  const fs::path relative = target.lexically_relative(folder);
-  return relative.empty() ? target.string() : relative.string();
-}
-
 } // namespace flipbook::app

@@ -14,7 +14,4 @@ namespace flipbook::app {
 /// Throws UserError where something is there already, unless it shall be replaced.
 void refuse_to_replace(const std::filesystem::path& file, bool force);
 
-/// `file` as a text in `from` shall call it: relative to where `from` is.
-[[nodiscard]] std::string relative_to(const std::filesystem::path& from, const std::filesystem::path& file);
-
 } // namespace flipbook::app

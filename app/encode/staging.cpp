@@ -50,6 +50,10 @@ void Staging::write(const std::string& name, std::span<const std::uint8_t> bytes
   if (std::fclose(f.release()) != 0) fail(folder_ / name, errno);
 }
 
+void Staging::write(const std::string& name, std::string_view text) const {
+  write(name, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
 void Staging::commit() {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(hidden_)) files.push_back(entry.path().filename());
@@ -65,7 +69,7 @@ void Staging::commit() {
 void write_file(const fs::path& file, std::string_view text) {
   if (!file.has_filename()) fail(file, EISDIR);
   Staging staging(file.parent_path());
-  staging.write(file.filename().string(), {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  staging.write(file.filename().string(), text);
   staging.commit();
 }
 

@@ -24,6 +24,7 @@ public:
   [[nodiscard]] std::filesystem::path file(const std::string& name) const { return hidden_ / name; }
   /// Writes that file whole. Throws MachineError (full disk) that names the final file.
   void write(const std::string& name, std::span<const std::uint8_t> bytes) const;
+  void write(const std::string& name, std::string_view text) const;
   /// Moves every file to its final name, replacing what was there.
   void commit();
 

@@ -21,18 +21,10 @@ namespace {
 
 constexpr std::size_t largest = 1U << 20U; // bytes; the notes' own has 258
 constexpr int deepest = 8;                 // levels; the notes' own has two
+constexpr std::size_t longest_shown = 60;  // characters of a key or a value
 
 std::string quoted(const std::string& s) {
   return "\"" + s + "\"";
-}
-
-/// On one line, printable and short.
-std::string short_text(std::string text) {
-  constexpr std::size_t longest = 60;
-  if (text.size() > longest) text = text.substr(0, longest) + "...";
-  for (char& c : text)
-    if (c < ' ' || c > '~') c = '?';
-  return text;
 }
 
 Location place_of(std::size_t byte, std::string_view text, const std::string& file) {
@@ -48,12 +40,7 @@ std::string reason(const std::string& what) {
   at = at == std::string::npos ? 0 : at + 2;
   if (const std::size_t column = what.find("column ", at); column != std::string::npos)
     if (const std::size_t colon = what.find(": ", column); colon != std::string::npos) at = colon + 2;
-  std::string text = what.substr(at);
-  constexpr std::size_t longest = 200;
-  if (text.size() > longest) text = text.substr(0, longest) + "...";
-  for (char& c : text)
-    if (c < ' ' || c > '~') c = '?';
-  return text;
+  return printable(std::string_view(what).substr(at), 200);
 }
 
 /// The object in the text. A key that is there twice, which JSON leaves open, is a mistake.
@@ -62,7 +49,7 @@ json parse(std::string_view text, const std::string& file, Mistakes& mistakes) {
   const auto watch = [&](int depth, json::parse_event_t event, const json& parsed) {
     if (depth > deepest) throw UserError("is nested too deeply", Location{file});
     if (event == json::parse_event_t::key && depth == 1 && !met.insert(parsed.get<std::string>()).second)
-      mistakes.add("the key " + quoted(short_text(parsed.get<std::string>())) + " is there twice", Location{file});
+      mistakes.add("the key " + shown(parsed.get<std::string>(), longest_shown) + " is there twice", Location{file});
     return true;
   };
   try {
@@ -121,7 +108,7 @@ public:
     for (const auto& [key, value] : object_.items()) {
       if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
       const auto slip = std::find(missing_.begin(), missing_.end(), nearest_name(key, missing_));
-      const std::string unknown = "unknown key " + quoted(short_text(key));
+      const std::string unknown = "unknown key " + shown(key, longest_shown);
       if (slip != missing_.end()) {
         mistakes_.add(unknown, Location{file_}, *slip);
         missing_.erase(slip);
@@ -145,7 +132,7 @@ private:
   static std::string range(double lo, double hi) { return " from " + to_toml(Value(lo)) + " to " + to_toml(Value(hi)); }
   void refuse(const std::string& key, const std::string& wanted, const json& value) {
     mistakes_.add(quoted(key) + " must be " + wanted + ", not " +
-                      short_text(value.dump(-1, ' ', false, json::error_handler_t::replace)),
+                      printable(value.dump(-1, ' ', false, json::error_handler_t::replace), longest_shown),
                   Location{file_});
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/series/open_series.h"
 
+#include "app/series/foreign_series.h"
 #include "app/study/paths.h"
 #include "sim/frame/errors.h"
 #include "sim/scene/assets.h"
@@ -14,7 +15,8 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string name_of(const std::string& folder) {
-  const fs::path whole = fs::weakly_canonical(folder);
+  std::error_code none;
+  const fs::path whole = fs::absolute(folder, none).lexically_normal();
   return whole.has_filename() ? whole.filename().string() : whole.parent_path().filename().string();
 }
 
@@ -25,9 +27,10 @@ template <Described T> void set(T& component, const Assignment& a, Mistakes& mis
 
 /// The changes that the user asks for; those of a solver come too late.
 void apply_changes(const std::vector<Assignment>& changes, Resolved& r, Mistakes& mistakes) {
+  std::vector<Assignment> of_view;
   for (const Assignment& a : changes) {
     if (is_view(a.path))
-      set(r.view, a, mistakes);
+      of_view.push_back(a);
     else if (is_output(a.path) && a.path != "output.particle_format")
       set(r.output, a, mistakes);
     else if (const Refusal unknown = check_path(a.path); !unknown.message.empty())
@@ -35,6 +38,7 @@ void apply_changes(const std::vector<Assignment>& changes, Resolved& r, Mistakes
     else
       mistakes.add(a.path + " cannot change: the particles are read from files, not simulated", a.where);
   }
+  change_view(r.view, of_view, mistakes);
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -115,7 +119,8 @@ bool is_series(const std::string& name) {
 OpenedSeries open_series(const std::string& folder, const std::vector<Assignment>& changes) {
   OpenedSeries opened;
   Mistakes mistakes;
-  const bool ours = fs::exists(fs::path(folder) / series_index);
+  std::error_code none; // a folder that cannot be read is refused as one without an index
+  const bool ours = fs::exists(fs::path(folder) / series_index, none);
   const std::vector<std::string> files = ours ? std::vector<std::string>() : particle_files(folder);
   const Series series = ours ? read_series(folder) : series_of_files(files, fps_of(changes));
   Resolved& r = opened.resolved;
@@ -145,7 +150,7 @@ OpenedSeries open_series(const std::string& folder, const std::vector<Assignment
   mistakes.raise();
   limit_frames(opened);
   r.frames = opened.times.size();
-  if (const fs::path study = fs::path(folder) / "study.toml"; ours && fs::is_regular_file(study))
+  if (const fs::path study = fs::path(folder) / series_study; ours && fs::is_regular_file(study, none))
     opened.study = read_text_file(study.string());
   return opened;
 }

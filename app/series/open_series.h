@@ -25,12 +25,4 @@ struct OpenedSeries {
 /// for anything else that is to change.
 [[nodiscard]] OpenedSeries open_series(const std::string& folder, const std::vector<Assignment>& changes);
 
-/// Any program's files: a variant with a box around all particles and a spacing found from the first frame. Reads
-/// every file once.
-[[nodiscard]] Series series_of_files(const std::vector<std::string>& files, double fps);
-
-/// The files in a folder that are particles, frame_2 before frame_10. Throws UserError where there is none, or where
-/// there are several kinds.
-[[nodiscard]] std::vector<std::string> particle_files(const std::string& folder);
-
 } // namespace flipbook::app

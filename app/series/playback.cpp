@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/series/playback.h"
 
+#include "app/series/drawable_rows.h"
+#include "app/series/solid_places.h"
 #include "sim/core/vec.h"
-#include "sim/files/read_particles.h"
 #include "sim/files/surface_ply.h"
 #include "sim/frame/errors.h"
 #include "sim/frame/particle_order.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <numeric>
 
 namespace flipbook::app {
@@ -61,9 +63,11 @@ class Playback final : public Simulation {
 public:
   explicit Playback(std::shared_ptr<const Recording> recording) : recording_(std::move(recording)) {
     set_parameters(recording_->variant.parameters);
-    for (const SeriesSolid& s : recording_->variant.solids)
-      surfaces_.push_back(std::make_shared<TriangleMesh>(
-          read_surface((recording_->folder / s.file).string(), recording_->variant.origin)));
+    for (const SolidPlaces& p : recording_->variant.places)
+      for (const StandingSolid& s : p.solids)
+        if (auto& surface = surfaces_[s.id]; !surface)
+          surface = std::make_shared<TriangleMesh>(
+              read_surface((recording_->folder / solid_file(s.id)).string(), recording_->variant.origin));
   }
 
   [[nodiscard]] double time() const override { return time_; }
@@ -101,7 +105,7 @@ private:
   bool has_parameters_ = false;
   std::size_t next_change_ = 0;
   double time_ = 0;
-  std::vector<std::shared_ptr<const TriangleMesh>> surfaces_;
+  std::map<std::uint32_t, std::shared_ptr<const TriangleMesh>> surfaces_; ///< by id
   FirstPlaces first_places_;
   ChannelRanges ranges_;
 };
@@ -130,10 +134,8 @@ void Playback::describe(std::uint64_t frame, Snapshot& s) {
   s.periodic = v.periodic;
   s.up = v.up;
   s.particle_spacing = v.particle_spacing;
-  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-    const std::vector<Pose>& poses = v.solids[i].poses;
-    s.solids.push_back({surfaces_[i], poses[std::min<std::size_t>(frame, poses.size() - 1)]});
-  }
+  for (const StandingSolid& solid : solids_at(v.places, frame))
+    s.solids.push_back({surfaces_.at(solid.id), solid.pose, solid.id});
 }
 
 void Playback::place(const ParticleRows& rows, Snapshot& s) const {
@@ -175,7 +177,7 @@ Channel Playback::channel(const std::string& name, const ParticleRows& rows, con
 std::shared_ptr<const Snapshot> Playback::snapshot(std::uint64_t frame, const FrameRequest& request) {
   auto s = std::make_shared<Snapshot>();
   describe(frame, *s);
-  const ParticleRows rows = read_particles(recording_->files[frame], true);
+  const ParticleRows rows = read_drawable(recording_->files[frame], true);
   place(rows, *s);
   const std::vector<std::string> known = recorded_channels(s->dim);
   for (const std::string& name : request.channels) {

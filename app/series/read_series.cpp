@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/series/series.h"
 
+#include "app/series/solid_places.h"
 #include "app/study/study.h"
 #include "sim/files/write_particles.h"
 #include "sim/frame/errors.h"
@@ -71,7 +72,7 @@ std::vector<const Node*> tables(const Node* list, const std::string& key, Mistak
 
 class Reader {
 public:
-  explicit Reader(const fs::path& folder) : file_((folder / series_index).string()) {}
+  explicit Reader(const fs::path& folder) : folder_(folder), file_((folder / series_index).string()) {}
 
   Series read() {
     const Node root = parse_toml(read_text_file(file_), file_);
@@ -131,7 +132,7 @@ private:
     v.dt = list_of(table, "dt", frames, 0, longest);
     v.parameters = assignments(table.optional("parameters"), "", mistakes_);
     for (const Node* change : tables(table.optional("change"), "change", mistakes_)) read_change(*change, v);
-    for (const Node* solid : tables(table.optional("solid"), "solid", mistakes_)) read_solid(*solid, v);
+    read_solids(table, v);
     table.done();
     series_.variants.push_back(std::move(v));
   }
@@ -160,9 +161,18 @@ private:
     if (const Node* node = table.optional("up"); node && mistakes_.none() && (used != 1 || length != 1))
       table.mistake("\"up\" must be the direction of an axis, for example [0, 1, 0]", *node);
     v.particle_spacing = table.number("particle_spacing", 0, 1e6, std::nullopt);
-    const Node* periodic = table.required("periodic");
-    for (std::size_t a = 0; periodic && a < std::min(dim, periodic->items.size()); ++a)
-      v.periodic[a] = periodic->items[a].flag;
+    read_periodic(table, v);
+  }
+
+  void read_periodic(TableReader& table, SeriesVariant& v) {
+    const Node* node = table.required("periodic");
+    if (!node) return;
+    const auto dim = static_cast<std::size_t>(v.dim);
+    bool good = node->type == Node::Type::list && node->items.size() == dim;
+    for (const Node& n : node->items) good = good && n.type == Node::Type::flag;
+    if (!good)
+      return table.mistake("\"periodic\" must be a list of " + std::to_string(dim) + " times true or false", *node);
+    for (std::size_t a = 0; a < dim; ++a) v.periodic[a] = node->items[a].flag;
   }
 
   void read_change(const Node& node, SeriesVariant& v) {
@@ -178,24 +188,16 @@ private:
     v.changes.push_back(std::move(change));
   }
 
-  void read_solid(const Node& node, SeriesVariant& v) {
-    TableReader table(node, "a solid", mistakes_);
-    SeriesSolid solid;
-    solid.file = plain_name(table, "file");
-    const Node* poses = table.optional("poses");
-    const bool still = poses && poses->items.size() == 12;
-    const std::vector<double> numbers =
-        list_of(table, "poses", still ? 12 : 12 * series_.times.size(), -longest, longest);
-    for (std::size_t at = 0; at < numbers.size(); at += 12) {
-      Pose pose;
-      std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(at), 9, pose.rotation.begin());
-      std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(at) + 9, 3, pose.shift.begin());
-      solid.poses.push_back(pose);
+  void read_solids(TableReader& table, SeriesVariant& v) {
+    if (!table.optional("solids") || !flag(table, "solids") || v.folder.empty()) return;
+    try {
+      v.places = read_solid_places((folder_ / v.folder / series_solids).string(), series_.times.size());
+    } catch (const UserError& error) {
+      mistakes_.add(error);
     }
-    table.done();
-    v.solids.push_back(std::move(solid));
   }
 
+  fs::path folder_;
   std::string file_;
   Mistakes mistakes_;
   Series series_;

@@ -3,7 +3,8 @@
 //   FOLDER/series.toml                 the index: domain, times of the frames, and what ran in each variant
 //   FOLDER/study.toml                  the study that made it
 //   FOLDER/VARIANT/frame_000123.csv    the particles of a frame, sorted by id
-//   FOLDER/VARIANT/solid_1.ply         the surface of a solid body, where there is one
+//   FOLDER/VARIANT/solid_1.ply         with solid bodies: the surface of one, in world coordinates before it has moved
+//   FOLDER/VARIANT/solids.txt          and where they stand (see solid_places.h)
 //   FOLDER/VARIANT.pvd                 with vtp files: the series for ParaView
 // Positions are in world coordinates.
 #pragma once
@@ -19,10 +20,16 @@
 
 namespace flipbook::app {
 
-/// A solid body of a variant.
-struct SeriesSolid {
-  std::string file;        ///< its surface, in world coordinates before it has moved
-  std::vector<Pose> poses; ///< of every frame, relative to the domain's lower corner; a single one: it stands still
+/// A solid body where it stands.
+struct StandingSolid {
+  std::uint32_t id = 0; ///< as in Solid: several may share it
+  Pose pose;            ///< relative to the domain's lower corner
+};
+
+/// All that stand from a frame on, until the next of these.
+struct SolidPlaces {
+  std::uint64_t frame = 0;
+  std::vector<StandingSolid> solids;
 };
 
 struct SeriesVariant {
@@ -50,7 +57,7 @@ struct SeriesVariant {
   std::array<bool, 3> periodic{false, false, false};
   std::array<double, 3> up{0, 1, 0};
   double particle_spacing = 0;
-  std::vector<SeriesSolid> solids;
+  std::vector<SolidPlaces> places; ///< empty: no solid ever
 
   // === Of every frame
   std::vector<std::uint64_t> steps; ///< taken so far
@@ -66,11 +73,17 @@ struct Series {
 };
 
 inline constexpr const char* series_index = "series.toml";
+inline constexpr const char* series_study = "study.toml";
+inline constexpr const char* series_solids = "solids.txt";
 
 /// "frame_000123.csv"
 [[nodiscard]] std::string frame_file(std::uint64_t frame, const std::string& format);
 
-/// A text as the name of a folder: "flip_0.97" for "FLIP 0.97". Letters, digits and underscores, never empty.
+/// "solid_1.ply" for the id 0
+[[nodiscard]] std::string solid_file(std::uint32_t id);
+
+/// A text as the name of a folder: "flip_0.97" for "FLIP 0.97". Small letters, digits and underscores, a point between
+/// digits and a minus sign before one; never empty.
 [[nodiscard]] std::string folder_name(const std::string& title);
 
 [[nodiscard]] std::string to_toml(const Series& series);

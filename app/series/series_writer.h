@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,7 +22,8 @@ namespace flipbook::app {
 
 class SeriesWriter {
 public:
-  /// Throws MachineError when nothing can be written in `folder`, UserError for more frames than an index can hold.
+  /// Throws MachineError when nothing can be written in `folder`, UserError for more than a series can hold, and
+  /// for files in the way that are not those of an earlier series.
   SeriesWriter(std::filesystem::path folder, const Resolved& resolved, std::string study);
 
   /// The variants at the next frame; `table(i)` gives the particles of one of them. Holds as many tables at a time as
@@ -36,16 +38,21 @@ public:
 
 private:
   void begin(std::span<const std::shared_ptr<const Snapshot>> variants);
-  void note(const Snapshot& s, SeriesVariant& v);
-  void write_surfaces(const Snapshot& s, SeriesVariant& v, const Staging& staging) const;
+  void note(const Snapshot& s, std::size_t variant);
+  void note_solids(const Snapshot& s, std::size_t variant);
+  void refuse_strangers() const;
+  void refuse_strangers(const std::string& variant) const;
   [[nodiscard]] std::string collection(const SeriesVariant& v) const;
 
   std::filesystem::path folder_;
   const Resolved& resolved_;
   std::string study_;
   Series series_;
+  std::set<std::filesystem::path> earlier_;        ///< files of the series that was there
   Staging staging_;                                ///< of the files beside the variants
+  Staging index_;                                  ///< the index gets its name last
   std::vector<std::unique_ptr<Staging>> variants_; ///< last: their folders are inside
+  std::vector<std::set<std::uint32_t>> surfaces_;  ///< ids of the solids of each variant that have their files
   std::vector<std::vector<Parameter>> last_;       ///< parameters of each variant at the frame before
 };
 

@@ -15,13 +15,11 @@ namespace {
 /// A frame that would need more steps than this never ends in practice: refuse it instead of seeming to hang.
 constexpr double most_steps = 1e6;
 
-[[noreturn]] void refuse(const Simulation& s, double dt) {
-  std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(),
-                " may only take steps of %.3g s at t = %.6g s, which would never end: the velocities are too large or "
-                "time.dt is too small",
-                dt, s.time());
-  throw UserError(s.title() + text.data());
+[[noreturn]] void refuse(const Simulation& s, double dt, const char* why) {
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), " may only take steps of %.3g s at t = %.6g s, which would never end: ", dt,
+                s.time());
+  throw UserError(s.title() + text.data() + why);
 }
 
 } // namespace
@@ -49,7 +47,7 @@ bool Stepper::advance_to(double t, const std::function<bool()>& stop) {
 
 bool Stepper::advance_in_whole_steps(Simulation& simulation, double t, const std::function<bool()>& stop) {
   const double dt = simulation.fixed_dt(), steps = std::round((t - simulation.time()) / dt);
-  if (!(steps <= most_steps)) refuse(simulation, dt);
+  if (!(steps <= most_steps)) refuse(simulation, dt, "time.dt is too small");
   for (double k = 0; k < steps; ++k) {
     if (stop()) return false;
     simulation.step(dt);
@@ -83,7 +81,9 @@ double Stepper::shared_dt(Group& group, double remaining) const {
   const auto least = std::min_element(dt.begin(), dt.end());
   constexpr double rounding = 1e-9; // a step that fits four times but for rounding fits four times
   const double steps = std::ceil(remaining / *least * (1 - rounding));
-  if (!(steps <= most_steps)) refuse(*group[static_cast<std::size_t>(least - dt.begin())], *least);
+  if (!(steps <= most_steps))
+    refuse(*group[static_cast<std::size_t>(least - dt.begin())], *least,
+           "the velocities are too large or time.dt is too small");
   return remaining / std::max(steps, 1.0);
 }
 

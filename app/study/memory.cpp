@@ -102,7 +102,7 @@ std::vector<std::string> long_run(const Resolved& resolved) {
   const bool space = resolved.variants.front().scene.settings.dim == 3;
   char text[160];
   std::snprintf(text, sizeof text,
-                "%.3g million particles in all panes will take long; half as many cells along x are %d times fewer",
+                "%.2g million particles in all panes will take long; half as many cells along x are %d times fewer",
                 1e-6 * particles, space ? 8 : 4);
   return {text};
 }

@@ -71,13 +71,8 @@ std::vector<KeyTarget> key_targets(const Resolved& resolved) {
 void resolve_view(const Study& study, Resolved& resolved, Mistakes& mistakes) {
   std::vector<Assignment> all = checked(resolved.variants.front().scene.view, check_path, {}, mistakes);
   apply_to(resolved.view, all, mistakes);
-  const int colour_of_scene = resolved.view.colour;
-  const auto range_of_scene = std::exchange(resolved.view.range, {0, 0});
   const std::vector<Assignment> own = checked(study.view, check_path, {}, mistakes);
-  apply_to(resolved.view, own, mistakes);
-  // The scene's range belongs to the quantity that the scene shows.
-  const bool ranged = std::any_of(own.begin(), own.end(), [](auto& a) { return a.path == "view.range"; });
-  if (!ranged && resolved.view.colour == colour_of_scene) resolved.view.range = range_of_scene;
+  change_view(resolved.view, own, mistakes);
   const ViewMistake mistake = check_view(resolved.view);
   if (mistake.path.empty()) return;
   all.insert(all.end(), own.begin(), own.end());
@@ -121,6 +116,14 @@ std::string counted(std::size_t n, const std::string& one, const std::string& ma
 }
 
 } // namespace
+
+void change_view(render::ViewSettings& view, std::span<const Assignment> changes, Mistakes& mistakes) {
+  const int colour_before = view.colour;
+  const auto range_before = std::exchange(view.range, {0, 0});
+  apply_to(view, changes, mistakes);
+  const bool ranged = std::any_of(changes.begin(), changes.end(), [](auto& a) { return a.path == "view.range"; });
+  if (!ranged && view.colour == colour_before) view.range = range_before;
+}
 
 Resolved resolve(const Study& study) {
   Mistakes mistakes;

@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,9 @@ struct Resolved {
   [[nodiscard]] FrameRequest request() const { return timeline.request(view); }
   [[nodiscard]] CommandLog commands() const { return timeline.commands(output.fps, scale, frames); }
 };
+
+/// Gives a view other values. Its range belongs to the quantity that it shows: another quantity does not inherit it.
+void change_view(render::ViewSettings& view, std::span<const Assignment> changes, Mistakes& mistakes);
 
 /// Throws one UserError of all mistakes.
 [[nodiscard]] Resolved resolve(const Study& study);

@@ -2,6 +2,7 @@
 #include "app/study/timeline.h"
 
 #include "app/study/paths.h"
+#include "sim/frame/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,11 +23,6 @@ double progress(Ease ease, double t, double over, double time) {
   if (over <= 0 || ease == Ease::step || time >= t + over) return 1;
   const double s = (time - t) / over;
   return ease == Ease::linear ? s : smooth(s);
-}
-
-bool same_word(const std::string& a, const std::string& b) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
 }
 
 Value rounded(Value value, Kind kind) {

@@ -2,6 +2,7 @@
 #include "app/study/study.h"
 
 #include "app/study/output_settings.h"
+#include "app/study/relative_path.h"
 #include "render/view_settings.h"
 #include "sim/scene/assets.h"
 
@@ -74,8 +75,7 @@ std::string moved(std::string_view kind, const Node& name, const fs::path& folde
   const fs::path file = find_input(kind, name.text, name.where);
   std::error_code none;
   if (fs::equivalent(folder / name.text, file, none)) return name.text;
-  const fs::path path = fs::relative(file, folder, none);
-  return (path.empty() ? fs::absolute(file) : path).generic_string();
+  return relative_path(file, folder);
 }
 
 /// Shapes may lie within shapes: every `file` below the node.

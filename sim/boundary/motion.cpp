@@ -34,6 +34,7 @@ public:
     pose.shift = p.angle == 0 ? p.offset : Point{d[0], d[1], d[2]};
     return pose;
   }
+  [[nodiscard]] double angle(double t) const override { return displacement_(t).angle; }
 
 private:
   std::function<Displacement(double)> displacement_;

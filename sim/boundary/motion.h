@@ -18,6 +18,8 @@ public:
   virtual ~Motion() = default;
   /// Where the body stands at time t (s); the identity where it is as the scene places it.
   [[nodiscard]] virtual Pose at(double t) const = 0;
+  /// The angle (radians) by which it has turned, full turns counted: poses do not tell one turn from none.
+  [[nodiscard]] virtual double angle(double t) const = 0;
 };
 
 using MotionPtr = std::shared_ptr<const Motion>;

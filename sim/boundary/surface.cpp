@@ -292,13 +292,14 @@ TriangleMesh extract_surface(const Shape& shape, const Domain& domain, const Bou
   return f.axes() == 3 ? contour(f) : Filled(f).mesh();
 }
 
-std::shared_ptr<const TriangleMesh> solid_surface(const Obstacle& obstacle, const Domain& domain) {
+std::shared_ptr<const TriangleMesh> solid_surface(const Obstacle& obstacle, const Domain& domain,
+                                                  const Axes& periodic) {
   if (auto exact = obstacle.shape->surface(domain)) return exact;
   const Bounds whole = obstacle.shape->bounds(domain);
   const Point further = reach(obstacle, domain);
   Bounds clip;
   for (std::size_t d = 0; d < 3; ++d) {
-    const bool follow = obstacle.motion && std::isfinite(whole.lo[d]) && std::isfinite(whole.hi[d]);
+    const bool follow = (obstacle.motion || periodic[d]) && std::isfinite(whole.lo[d]) && std::isfinite(whole.hi[d]);
     clip.lo[d] = follow ? whole.lo[d] : -further[d];
     clip.hi[d] = follow ? whole.hi[d] : domain.size[d] + further[d];
   }

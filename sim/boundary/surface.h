@@ -5,6 +5,7 @@
 // filled by marching squares, with the same vertices in its outline.
 #pragma once
 
+#include "sim/boundary/images.h"
 #include "sim/boundary/obstacle.h"
 
 namespace flipbook {
@@ -14,8 +15,10 @@ namespace flipbook {
 [[nodiscard]] TriangleMesh extract_surface(const Shape& shape, const Domain& domain, const Bounds& clip, int cells);
 
 /// What to draw of an obstacle in its own frame: its exact surface where the shape has one, else the part that the
-/// domain can show. An obstacle at rest ends where the domain does; one that moves is whole, but along the axes on
-/// which the shape is infinite it ends where its motion would bring it into the domain.
-[[nodiscard]] std::shared_ptr<const TriangleMesh> solid_surface(const Obstacle& obstacle, const Domain& domain);
+/// domain can show. An obstacle at rest ends where the domain does, but not along periodic axes, across which its
+/// images show the rest; one that moves is whole, but along the axes on which the shape is infinite it ends where its
+/// motion would bring it into the domain.
+[[nodiscard]] std::shared_ptr<const TriangleMesh> solid_surface(const Obstacle& obstacle, const Domain& domain,
+                                                                const Axes& periodic);
 
 } // namespace flipbook

@@ -4,6 +4,7 @@
 #include "sim/diagnostics/bench.h"
 #include "sim/diagnostics/measurement.h"
 #include "sim/frame/errors.h"
+#include "sim/frame/text.h"
 
 #include <algorithm>
 #include <cctype>
@@ -119,12 +120,6 @@ std::vector<Case> all_cases(double strictness) {
   return all;
 }
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 void add_words(const std::string& text, std::vector<std::string>& words) {
   std::string word;
   for (const char c : text + " ")
@@ -145,7 +140,7 @@ std::vector<std::string> words_of(const PropositionResult& r) {
   add_words(r.scheme, words);
   for (const std::string& name : {r.id, r.kernel, r.layout, r.precision, std::to_string(r.dim) + "d"})
     words.push_back(name);
-  std::transform(words.begin(), words.end(), words.begin(), lower);
+  for (std::string& word : words) word = lower(word);
   return words;
 }
 

@@ -99,11 +99,14 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-std::string shown(std::string_view text) {
-  constexpr std::size_t longest = 32;
-  std::string quoted = "\"";
-  for (const char c : text.substr(0, longest)) quoted += c >= ' ' && c <= '~' ? c : '?';
-  return quoted + (text.size() > longest ? "...\"" : "\"");
+std::string printable(std::string_view text, std::size_t longest) {
+  std::string all;
+  for (const char c : text.substr(0, longest)) all += c >= ' ' && c <= '~' ? c : '?';
+  return all + (text.size() > longest ? "..." : "");
+}
+
+std::string shown(std::string_view text, std::size_t longest) {
+  return "\"" + printable(text, longest) + "\"";
 }
 
 } // namespace flipbook

@@ -55,7 +55,9 @@ private:
 
 /// Without blanks at either end.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
-/// Text from a file as a message shows it: in quotes, short, printable, on one line.
-[[nodiscard]] std::string shown(std::string_view text);
+/// Text from a file as a message may hold it: short, printable, on one line.
+[[nodiscard]] std::string printable(std::string_view text, std::size_t longest);
+/// The same in quotes.
+[[nodiscard]] std::string shown(std::string_view text, std::size_t longest = 32);
 
 } // namespace flipbook

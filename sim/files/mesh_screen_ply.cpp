@@ -1,66 +1,43 @@
 // SPDX-License-Identifier: MIT
+#include "sim/files/mesh_limits.h"
 #include "sim/files/mesh_screen.h"
+#include "sim/files/numbers.h"
 #include "sim/files/ply_header.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <charconv>
-#include <cmath>
-#include <cstring>
 #include <optional>
-#include <system_error>
 
 namespace flipbook {
 namespace {
 
 constexpr std::uint64_t longest_list = 4096; // entries; a polygon has far fewer
 
-const char* name_of(PlyType type) {
-  constexpr const char* names[] = {"char", "uchar", "short", "ushort", "int", "uint", "float", "double"};
-  return names[static_cast<std::size_t>(type)];
-}
-
 bool is_corners(const PlyProperty& p) {
   return p.count && (p.name == "vertex_indices" || p.name == "vertex_index");
 }
 
 /// A whole number of a binary file; nothing for types that are not whole.
-std::optional<std::int64_t> whole(std::string_view bytes, PlyType type, bool big) {
+std::optional<std::int64_t> whole(std::string_view bytes, PlyType type, bool swap) {
   if (type == PlyType::f32 || type == PlyType::f64) return std::nullopt;
-  const bool is_signed = type == PlyType::i8 || type == PlyType::i16 || type == PlyType::i32;
-  std::uint64_t u = 0;
-  for (std::size_t k = 0; k < bytes.size(); ++k)
-    u = u << 8U | static_cast<unsigned char>(bytes[big ? k : bytes.size() - 1 - k]);
-  const std::uint64_t sign = std::uint64_t{1} << (8 * bytes.size() - 1);
-  return is_signed && (u & sign) != 0 ? static_cast<std::int64_t>(u) - static_cast<std::int64_t>(2 * sign)
-                                      : static_cast<std::int64_t>(u);
-}
-
-std::optional<std::int64_t> whole(std::string_view word) {
-  std::int64_t i = 0;
-  const char* end = word.data() + word.size();
-  const auto [stop, error] = std::from_chars(word.data(), end, i);
-  return error == std::errc() && stop == end ? std::optional(i) : std::nullopt;
+  return static_cast<std::int64_t>(ply_number(bytes.data(), type, swap)); // of 32 bits at most: exact
 }
 
 /// Walks over the rows of a file, checks the length of each list and each corner, and copies vertices and faces.
 class Screen {
 public:
   explicit Screen(ByteSource& file) : file_(file), header_(read_ply_header(file)) {
-    ascii_ = header_.format == PlyHeader::Format::ascii;
-    big_ = header_.format == PlyHeader::Format::big;
-    if (!ascii_) file_.leave_text();
+    if (!header_.ascii()) file_.leave_text();
     check_elements();
   }
 
   std::string copy() {
     write_header();
     for (const PlyElement& e : header_.elements) {
+      if (e.properties.empty()) continue; // there is nothing in its rows
       const bool kept = e.name == "vertex" || e.name == "face";
       for (std::uint64_t row = 0; row < e.rows; ++row) {
         const std::size_t before = out_.size();
-        ascii_ ? copy_line(e, row) : copy_row(e, row);
+        header_.ascii() ? copy_line(e, row) : copy_row(e, row);
         if (!kept) out_.resize(before);
       }
     }
@@ -89,16 +66,12 @@ private:
     for (const PlyElement& e : all) {
       if (&e != &*vertex && &e != &*face && (e.name == vertex->name || e.name == face->name))
         file_.refuse("it has two elements " + shown(e.name));
-      const std::uint64_t bytes = std::max<std::uint64_t>(e.least_bytes(ascii_), 1);
-      if (e.rows > (file_.left() + 1) / bytes)
-        file_.refuse("the element " + shown(e.name) + " promises " + std::to_string(e.rows) +
-                     " rows, which the rest of the file cannot hold");
+      check_ply_rows(e, header_.ascii(), file_);
     }
   }
 
   void write_header() {
-    constexpr const char* formats[] = {"ascii", "binary_little_endian", "binary_big_endian"};
-    out_ = std::string("ply\nformat ") + formats[static_cast<std::size_t>(header_.format)] + " 1.0\n";
+    out_ = std::string("ply\nformat ") + name_of(header_.format) + " 1.0\n";
     for (const PlyElement& e : header_.elements) {
       if (e.name != "vertex" && e.name != "face") continue;
       out_ += "element " + e.name + " " + std::to_string(e.rows) + "\n";
@@ -107,11 +80,6 @@ private:
                 name_of(p.type) + " " + p.name + "\n";
     }
     out_ += "end_header\n";
-  }
-
-  [[noreturn]] void ends_early(const PlyElement& e, std::uint64_t row) const {
-    file_.refuse("the file ends in row " + std::to_string(row + 1) + " of the " + std::to_string(e.rows) +
-                 " of its element " + shown(e.name));
   }
 
   void check_length(std::optional<std::int64_t> n, bool corners) {
@@ -130,7 +98,7 @@ private:
 
   std::string_view copy_bytes(std::size_t n, const PlyElement& e, std::uint64_t row) {
     const std::string_view bytes = file_.take(n);
-    if (bytes.size() < n) ends_early(e, row);
+    if (bytes.size() < n) refuse_ply_end(e, row, file_);
     out_.append(bytes);
     return bytes;
   }
@@ -139,21 +107,19 @@ private:
     for (const PlyProperty& p : e.properties) {
       std::int64_t n = 1;
       if (p.count) {
-        const auto length = whole(copy_bytes(bytes_of(*p.count), e, row), *p.count, big_);
+        const auto length = whole(copy_bytes(bytes_of(*p.count), e, row), *p.count, header_.swapped());
         check_length(length, is_corners(p));
         n = *length;
       }
       for (std::int64_t k = 0; k < n; ++k) {
         const std::string_view bytes = copy_bytes(bytes_of(p.type), e, row);
-        if (is_corners(p)) check_corner(whole(bytes, p.type, big_));
+        if (is_corners(p)) check_corner(whole(bytes, p.type, header_.swapped()));
       }
     }
   }
 
   void copy_line(const PlyElement& e, std::uint64_t row) {
-    std::string_view line;
-    if (!file_.line(line)) ends_early(e, row);
-    const auto words = split(line);
+    const Words words = words_of(next_ply_row(file_, e, row));
     std::size_t at = 0;
     const auto next = [&] {
       if (at == words.size()) file_.refuse("the row is too short");
@@ -162,7 +128,7 @@ private:
     for (const PlyProperty& p : e.properties) {
       std::int64_t n = 1;
       if (p.count) {
-        const auto length = whole(next());
+        const auto length = whole_number<std::int64_t>(next());
         check_length(length, is_corners(p));
         out_.append(std::to_string(n = *length)).append(" ");
       }
@@ -172,18 +138,14 @@ private:
   }
 
   void copy_word(std::string_view word, const PlyProperty& p) {
-    if (is_corners(p)) check_corner(whole(word));
-    double value = 0;
-    if (word.starts_with('+')) word.remove_prefix(1);
-    const char* end = word.data() + word.size();
-    if (std::from_chars(word.data(), end, value).ptr != end || !std::isfinite(value))
-      file_.refuse("expected a finite number, not " + shown(word));
-    out_.append(word).append(" ");
+    if (is_corners(p)) check_corner(whole_number<std::int64_t>(word));
+    const auto number = finite_number(word);
+    if (!number) file_.refuse("expected a finite number, not " + shown(word));
+    out_.append(*number).append(" ");
   }
 
   ByteSource& file_;
   PlyHeader header_;
-  bool ascii_ = true, big_ = false;
   std::int64_t vertices_ = 0;
   std::uint64_t corners_ = 0;
   std::string out_;

@@ -4,9 +4,11 @@
 
 #include "sim/files/byte_source.h"
 
+#include <bit>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace flipbook {
@@ -38,9 +40,28 @@ struct PlyHeader {
   enum class Format { ascii, little, big };
   Format format = Format::ascii;
   std::vector<PlyElement> elements;
+
+  [[nodiscard]] bool ascii() const { return format == Format::ascii; }
+  /// Are the bytes of a number in the other order than ours?
+  [[nodiscard]] bool swapped() const { return (format == Format::big) != (std::endian::native == std::endian::big); }
 };
+
+/// As a header names them.
+[[nodiscard]] const char* name_of(PlyType type);
+[[nodiscard]] const char* name_of(PlyHeader::Format format);
 
 /// Reads up to and including "end_header". Throws UserError with the line.
 [[nodiscard]] PlyHeader read_ply_header(ByteSource& file);
+
+// === What follows the header
+
+/// A number of a binary file.
+[[nodiscard]] double ply_number(const char* bytes, PlyType type, bool swap);
+/// A row of an ascii file: the next line that is not blank.
+[[nodiscard]] std::string_view next_ply_row(ByteSource& file, const PlyElement& element, std::uint64_t row);
+/// Throws UserError for more rows than the rest of the file can hold.
+void check_ply_rows(const PlyElement& element, bool ascii, const ByteSource& file);
+/// Throws UserError: the file ends in this row, counted from 0.
+[[noreturn]] void refuse_ply_end(const PlyElement& element, std::uint64_t row, const ByteSource& file);
 
 } // namespace flipbook

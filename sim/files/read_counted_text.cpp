@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "sim/files/numbers.h"
 #include "sim/files/particle_formats.h"
 #include "sim/files/row_store.h"
-
-#include <charconv>
-#include <system_error>
 
 namespace flipbook {
 namespace {
@@ -25,18 +23,10 @@ std::uint64_t read_count(ByteSource& file, const RowStore& rows) {
 
 /// The numbers of a line; more than six count as seven.
 std::size_t read_row(std::string_view line, std::array<double, 7>& numbers, const ByteSource& file) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t'; };
   const char *p = line.data(), *end = p + line.size();
   std::size_t count = 0;
-  while (true) {
-    while (p != end && blank(*p)) ++p;
-    if (p == end || *p == '#' || count == numbers.size()) return count;
-    const char* word = p;
-    if (!read_number(p, end, numbers[count++]) || (p != end && !blank(*p) && *p != '#')) {
-      while (p != end && !blank(*p)) ++p;
-      file.refuse("expected a number, not " + shown({word, static_cast<std::size_t>(p - word)}));
-    }
-  }
+  while (count < numbers.size() && next_number(p, end, numbers[count], true, file)) ++count;
+  return count;
 }
 
 /// x y, x y z, x y vx vy or x y z vx vy vz, by how many there are.

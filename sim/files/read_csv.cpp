@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "sim/files/numbers.h"
 #include "sim/files/particle_formats.h"
 #include "sim/files/row_store.h"
 
@@ -73,14 +74,6 @@ double number(std::string_view field, const std::string& name, const ByteSource&
   return value;
 }
 
-/// Which number of a row each column is; -1: none.
-std::vector<int> slots(const RowColumns& columns, std::size_t count) {
-  std::vector<int> slot(count, -1);
-  for (std::size_t i = 0; i < columns.at.size(); ++i)
-    if (columns.at[i] >= 0) slot[static_cast<std::size_t>(columns.at[i])] = static_cast<int>(i);
-  return slot;
-}
-
 } // namespace
 
 ParticleRows read_csv(ByteSource& file, bool ids) {
@@ -92,7 +85,7 @@ ParticleRows read_csv(ByteSource& file, bool ids) {
   std::vector<std::string> names;
   for (Fields header(line, separator, file); header.more();) names.emplace_back(trimmed(header.next()));
   const RowColumns columns = find_columns(names, true, ids, "the header", file);
-  const std::vector<int> slot = slots(columns, names.size());
+  const std::vector<int> slot = columns.slots(names.size());
 
   RowStore rows(file);
   if (columns.ids()) rows.keep_ids();

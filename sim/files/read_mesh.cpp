@@ -3,6 +3,7 @@
 
 #include "sim/files/mesh_screen.h"
 #include "sim/frame/errors.h"
+#include "sim/frame/text.h"
 
 #include <assimp/BaseImporter.h>
 #include <assimp/Importer.hpp>
@@ -11,7 +12,6 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <exception>
 #include <filesystem>
@@ -26,9 +26,7 @@ namespace {
 constexpr std::uint64_t most_bytes = 1ULL << 31U;
 
 std::string extension_of(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::string extension = lower(std::filesystem::path(path).extension().string());
   if (std::find(std::begin(mesh_extensions), std::end(mesh_extensions), extension) == std::end(mesh_extensions))
     throw UserError("\"" + path + "\" is not a mesh by its name: .obj, .stl and .ply files are read");
   return extension;

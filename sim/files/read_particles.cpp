@@ -2,18 +2,13 @@
 #include "sim/files/read_particles.h"
 
 #include "sim/files/particle_formats.h"
+#include "sim/frame/text.h"
 
 #include <algorithm>
 #include <filesystem>
 
 namespace flipbook {
 namespace {
-
-std::string extension_of(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return extension;
-}
 
 /// Does a text begin with names rather than with a count? Looks at its first line with content, without taking it.
 bool begins_with_names(ByteSource& file) {
@@ -44,7 +39,7 @@ ParticleRows read_particles(const std::string& path, bool ids) {
   ByteSource file(path);
   if (file.peek(3) == "\xef\xbb\xbf") (void)file.take(3); // the mark that some editors put before UTF-8
   const std::string_view start = file.peek(4);
-  const std::string extension = extension_of(path);
+  const std::string extension = lower(std::filesystem::path(path).extension().string());
   if (start == "ply\n" || start == "ply\r") return read_ply(file, ids);
   if (extension == ".ply") file.refuse("not a PLY file: its first line must be \"ply\"");
   if (start == "<?xm" || start == "<VTK" || extension == ".vtp") return read_vtp(file, ids);

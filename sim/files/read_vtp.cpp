@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "sim/files/numbers.h"
 #include "sim/files/particle_formats.h"
 #include "sim/files/row_store.h"
+#include "sim/frame/text.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cstring>
 #include <map>
 #include <utility>
 #include <vector>
@@ -23,29 +23,41 @@ struct Tag {
   }
 };
 
-/// The tags of a text in order; enough of XML for files that programs wrote.
-std::vector<Tag> tags_of(std::string_view xml) {
+constexpr std::size_t most_tags = 4096, longest_name = 256;
+
+/// What stands between < and >.
+Tag tag_of(std::string_view inside, const ByteSource& file) {
   constexpr std::string_view blank = " \t\r\n";
+  const std::string_view name = inside.substr(0, inside.find_first_of(" \t\r\n/", 1));
+  if (name.size() > longest_name)
+    file.refuse("not XML: a tag's name is longer than " + std::to_string(longest_name) + " bytes");
+  Tag tag{std::string(name), {}};
+  for (std::size_t equals = inside.find('='); equals != std::string_view::npos; equals = inside.find('=')) {
+    const std::string_view before = inside.substr(0, equals);
+    const std::size_t last = before.find_last_not_of(blank);
+    const std::size_t open = inside.find_first_of("\"'", equals);
+    if (last == std::string_view::npos || open == std::string_view::npos) break;
+    const std::size_t first = before.find_last_of(blank, last), close = inside.find(inside[open], open + 1);
+    if (close == std::string_view::npos) break;
+    const std::size_t begin = first == std::string_view::npos ? 0 : first + 1;
+    tag.attributes[std::string(before.substr(begin, last + 1 - begin))] = inside.substr(open + 1, close - open - 1);
+    inside.remove_prefix(close + 1);
+  }
+  return tag;
+}
+
+/// The tags of a text in order; enough of XML for files that programs wrote.
+std::vector<Tag> tags_of(std::string_view xml, const ByteSource& file) {
   std::vector<Tag> tags;
-  for (std::size_t at = xml.find('<'); at != std::string_view::npos; at = xml.find('<', at + 1)) {
-    if (xml.substr(at).starts_with("<!--")) {
-      at = std::min(xml.find("-->", at), xml.size() - 1);
-      continue;
-    }
-    std::string_view inside = xml.substr(at + 1, xml.find('>', at) - at - 1);
-    Tag tag{std::string(inside.substr(0, inside.find_first_of(" \t\r\n/", 1))), {}};
-    for (std::size_t equals = inside.find('='); equals != std::string_view::npos; equals = inside.find('=')) {
-      const std::string_view before = inside.substr(0, equals);
-      const std::size_t last = before.find_last_not_of(blank);
-      const std::size_t open = inside.find_first_of("\"'", equals);
-      if (last == std::string_view::npos || open == std::string_view::npos) break;
-      const std::size_t first = before.find_last_of(blank, last), close = inside.find(inside[open], open + 1);
-      if (close == std::string_view::npos) break;
-      const std::size_t begin = first == std::string_view::npos ? 0 : first + 1;
-      tag.attributes[std::string(before.substr(begin, last + 1 - begin))] = inside.substr(open + 1, close - open - 1);
-      inside.remove_prefix(close + 1);
-    }
-    tags.push_back(std::move(tag));
+  std::size_t behind = 0;
+  for (std::size_t at = xml.find('<'); at != std::string_view::npos; at = xml.find('<', behind)) {
+    const bool comment = xml.substr(at).starts_with("<!--");
+    const std::size_t end = xml.find(comment ? "-->" : ">", at);
+    if (end == std::string_view::npos) break;
+    behind = end + 1;
+    if (comment) continue;
+    if (tags.size() == most_tags) file.refuse("more than " + std::to_string(most_tags) + " tags in the VTK file");
+    tags.push_back(tag_of(xml.substr(at + 1, end - at - 1), file));
   }
   return tags;
 }
@@ -56,18 +68,15 @@ struct NumberType {
   double (*read)(const char*);
 };
 
-template <class T> double number_at(const char* p) {
-  T x;
-  std::memcpy(&x, p, sizeof x);
-  return static_cast<double>(x);
+template <class T> double real_at(const char* p) {
+  return static_cast<double>(number_at<T>(p));
 }
 
 constexpr NumberType number_types[] = {
-    {"Float32", 4, number_at<float>},      {"Float64", 8, number_at<double>},
-    {"Int32", 4, number_at<std::int32_t>}, {"UInt32", 4, number_at<std::uint32_t>},
-    {"Int64", 8, number_at<std::int64_t>}, {"UInt64", 8, number_at<std::uint64_t>},
-    {"Int16", 2, number_at<std::int16_t>}, {"UInt16", 2, number_at<std::uint16_t>},
-    {"Int8", 1, number_at<signed char>},   {"UInt8", 1, number_at<unsigned char>},
+    {"Float32", 4, real_at<float>},        {"Float64", 8, real_at<double>},       {"Int32", 4, real_at<std::int32_t>},
+    {"UInt32", 4, real_at<std::uint32_t>}, {"Int64", 8, real_at<std::int64_t>},   {"UInt64", 8, real_at<std::uint64_t>},
+    {"Int16", 2, real_at<std::int16_t>},   {"UInt16", 2, real_at<std::uint16_t>}, {"Int8", 1, real_at<signed char>},
+    {"UInt8", 1, real_at<unsigned char>},
 };
 
 /// One array that we want, and which numbers of a row it fills.
@@ -85,7 +94,7 @@ public:
   ParticleRows read() {
     file_.leave_text();
     const std::string xml = take_header();
-    find_arrays(tags_of(xml));
+    find_arrays(tags_of(xml, file_));
     std::sort(arrays_.begin(), arrays_.end(), [](auto& a, auto& b) { return a.offset < b.offset; });
     std::uint64_t bytes = 0; // of a row, at least
     for (const Array& a : arrays_) bytes += a.count * a.type.bytes;
@@ -166,16 +175,9 @@ private:
 
   std::uint64_t whole(const Tag& tag, const std::string& key) const {
     const std::string text = tag.get(key);
-    std::uint64_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size())
-      file_.refuse(key + " of <" + tag.name + "> must be a whole number, not " + shown(text));
-    return value;
-  }
-
-  static std::string lower(std::string text) {
-    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return text;
+    const auto value = whole_number<std::uint64_t>(text);
+    if (!value) file_.refuse(key + " of <" + tag.name + "> must be a whole number, not " + shown(text));
+    return *value;
   }
 
   [[noreturn]] void ends_early(const Array& a) const { file_.refuse("the file ends inside the array " + a.name); }
@@ -183,8 +185,9 @@ private:
   void fill(const Array& a, std::vector<Row>& rows) {
     if (a.offset < passed_) file_.refuse("the array " + a.name + " overlaps another");
     if (!file_.skip(a.offset - passed_) || file_.left() < length_bytes_) ends_early(a);
-    std::uint64_t length = 0;
-    std::memcpy(&length, file_.take(length_bytes_).data(), length_bytes_);
+    const char* before = file_.take(length_bytes_).data();
+    const std::uint64_t length =
+        length_bytes_ == 8 ? number_at<std::uint64_t>(before) : number_at<std::uint32_t>(before);
     const std::uint64_t wanted = count_ * a.count * a.type.bytes; // count_ was checked against the file
     if (length != wanted)
       file_.refuse("the array " + a.name + " has " + std::to_string(length) + " bytes, and " + std::to_string(count_) +

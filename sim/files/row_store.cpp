@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "sim/files/row_store.h"
 
+#include "sim/frame/text.h"
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 namespace flipbook {
@@ -19,8 +19,7 @@ constexpr std::array<std::string_view, 7> row_names{"x", "y", "z", "vx", "vy", "
 std::string plain(std::string_view name) {
   std::string text;
   for (const char c : name)
-    if (std::string_view(" _:.[]").find(c) == std::string_view::npos)
-      text += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    if (std::string_view(" _:.[]").find(c) == std::string_view::npos) text += lower(c);
   return text;
 }
 
@@ -57,12 +56,11 @@ void find_letters(const std::vector<std::string>& names, RowColumns& columns) {
 
 } // namespace
 
-bool read_number(const char*& p, const char* end, double& value) {
-  const bool plus = end - p > 1 && *p == '+' && p[1] != '-'; // which from_chars does not know
-  const auto [stop, error] = std::from_chars(plus ? p + 1 : p, end, value);
-  if (error != std::errc()) return false;
-  p = stop;
-  return true;
+std::vector<int> RowColumns::slots(std::size_t count) const {
+  std::vector<int> slot(count, -1);
+  for (std::size_t i = 0; i < at.size(); ++i)
+    if (at[i] >= 0) slot[static_cast<std::size_t>(at[i])] = static_cast<int>(i);
+  return slot;
 }
 
 RowColumns find_columns(const std::vector<std::string>& names, bool letters, bool ids, const std::string& what,

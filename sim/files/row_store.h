@@ -17,16 +17,14 @@ using Row = std::array<double, 7>; ///< x y z vx vy vz, and the id
 
 inline constexpr std::uint64_t most_rows = 1ULL << 28U; // as many as a simulation may have
 
-/// Reads the number at p and moves p behind it: decimal, with a point whatever the locale. False if there is none that
-/// a double holds.
-[[nodiscard]] bool read_number(const char*& p, const char* end, double& value);
-
 /// Which column holds which number of a row; -1: none.
 struct RowColumns {
   std::array<int, 7> at{-1, -1, -1, -1, -1, -1, -1};
 
   [[nodiscard]] bool planar() const { return at[2] < 0; }
   [[nodiscard]] bool ids() const { return at[6] >= 0; }
+  /// The other way round, of so many columns: which number of a row each holds; -1: none.
+  [[nodiscard]] std::vector<int> slots(std::size_t count) const;
 };
 
 /// Finds them by name, in any case and order. `u v w` mean a velocity only where `letters` says so and no other column

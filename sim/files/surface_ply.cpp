@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/files/surface_ply.h"
 
-#include "sim/files/byte_source.h"
+#include "sim/files/numbers.h"
 #include "sim/files/particle_writers.h"
 #include "sim/files/ply_header.h"
 
@@ -22,9 +22,8 @@ std::size_t rows_of(const PlyHeader& header, std::size_t element, const char* na
   return static_cast<std::size_t>(std::min<std::uint64_t>(header.elements[element].rows, 1U << 30U));
 }
 
-template <class T> T get(const char*& p) {
-  T x;
-  std::memcpy(&x, p, sizeof x);
+template <class T> T next(const char*& p) {
+  const T x = number_at<T>(p);
   p += sizeof x;
   return x;
 }
@@ -76,15 +75,15 @@ TriangleMesh read_surface(const std::string& path, const std::array<double, 3>& 
   const std::string data = take(file, static_cast<std::size_t>(bytes));
   const char* p = data.data();
   const auto vertex = [&] {
-    const auto i = get<std::uint32_t>(p);
+    const auto i = next<std::uint32_t>(p);
     if (i >= vertices) file.refuse("a vertex " + std::to_string(i) + " that the file does not have");
     return i;
   };
   TriangleMesh mesh;
   for (std::size_t i = 0; i < 3 * vertices; ++i)
-    mesh.vertices.push_back(static_cast<float>(static_cast<double>(get<float>(p)) - origin[i % 3]));
+    mesh.vertices.push_back(static_cast<float>(static_cast<double>(next<float>(p)) - origin[i % 3]));
   for (std::size_t f = 0; f < faces; ++f) {
-    if (get<std::uint8_t>(p) != 3) file.refuse("a face that is no triangle");
+    if (next<std::uint8_t>(p) != 3) file.refuse("a face that is no triangle");
     for (int c = 0; c < 3; ++c) mesh.triangles.push_back(vertex());
   }
   for (std::size_t i = 0; i < 2 * edges; ++i) mesh.outline.push_back(vertex());

@@ -4,6 +4,7 @@
 #include "sim/files/particle_writers.h"
 
 #include <array>
+#include <stdexcept>
 
 namespace flipbook {
 namespace {
@@ -28,7 +29,7 @@ std::string write_particles(const ParticleTable& table, ParticleFormat format) {
   case ParticleFormat::ply: return write_ply(table);
   case ParticleFormat::vtp: return write_vtp(table);
   }
-  return {};
+  throw std::logic_error("write_particles: no such format");
 }
 
 } // namespace flipbook

@@ -70,4 +70,16 @@ template <int Dim, class Body> void each_in(const Grid<Dim>& grid, const Box<Dim
               [&](std::int64_t b, std::int64_t e) { detail::each_in_rows(grid, box, b, e, body); });
 }
 
+/// body(node, corner) for the corners of the face of `axis` at a position, or of the cell there where the axis is -1;
+/// bit d of `corner` is set on the upper side along d.
+template <int Dim, class Body> void each_corner(const Grid<Dim>& grid, std::size_t at, int axis, Body&& body) {
+  for (int corner = 0; corner < 1 << Dim; ++corner) {
+    if (axis >= 0 && (corner >> axis & 1)) continue;
+    std::size_t node = at;
+    for (int d = 0; d < Dim; ++d)
+      if (corner >> d & 1) node += static_cast<std::size_t>(grid.stride(d));
+    body(node, corner);
+  }
+}
+
 } // namespace flipbook

@@ -258,7 +258,7 @@ template <int Dim, class Real> double FluidSolver<Dim, Real>::max_dt() const {
   }
   const double dx = s.grid.dx, bound = s.settings.time.dt;
   const double dt = s.settings.time.cfl * dx / std::max(speed + std::sqrt(gravity * dx), 1e-30);
-  return s.solids.max_dt(s.time, s.settings.time.cfl, bound > 0 ? std::min(bound, dt) : dt);
+  return s.solids.max_dt(s.time, s.settings.time.cfl, bound > 0 ? std::min(bound, dt) : dt, s.walls);
 }
 
 template <int Dim, class Real> void FluidSolver<Dim, Real>::check_finite() const {

@@ -7,6 +7,7 @@
 #include "sim/fluid/pcg.h"
 #include "sim/fluid/solids.h"
 #include "sim/fluid/walls.h"
+#include "sim/scene/scene.h"
 
 namespace flipbook {
 
@@ -20,7 +21,7 @@ template <int Dim> [[nodiscard]] Grid<Dim> grid_of(const Settings& settings) {
 
 template <int Dim, class Real> struct FluidState {
   FluidState(const Settings& given, const Grid<Dim>& g, Particles<Dim, Real> seeded, std::vector<Obstacle> obstacles)
-      : settings(given), grid(g), walls(g, given.walls), solids(g, std::move(obstacles), {Dim, given.grid.size}),
+      : settings(given), grid(g), walls(g, given.walls), solids(g, std::move(obstacles), domain_of(given)),
         particles(std::move(seeded)) {
     for (Components<Dim, Real>* field : {&m, &u, &u_old}) field->resize(grid);
     phi.resize(static_cast<std::size_t>(grid.size()));

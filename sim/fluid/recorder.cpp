@@ -82,16 +82,18 @@ template <int Dim, class Real> std::vector<Solid> Recorder<Dim, Real>::solids(co
   surfaces_.resize(obstacles.size());
   std::vector<Solid> all;
   const Vec<Dim, double> size = state.grid.size_m();
+  Axes periodic{};
+  for (int a = 0; a < Dim; ++a) periodic[static_cast<std::size_t>(a)] = state.walls.periodic(a);
   for (const auto& standing : state.solids.standing()) {
     bool inside = true; // some of it; one may stand beside the domain, about to come in
     for (std::size_t d = 0; d < Dim; ++d)
       inside = inside && standing.bounds.lo[d] < size[static_cast<int>(d)] && standing.bounds.hi[d] > 0;
     if (!inside) continue;
     auto& surface = surfaces_[standing.obstacle];
-    if (!surface) surface = solid_surface(obstacles[standing.obstacle], {Dim, state.settings.grid.size});
+    if (!surface) surface = solid_surface(obstacles[standing.obstacle], domain_of(state.settings), periodic);
     Pose pose = standing.pose;
     for (std::size_t d = 0; d < 3; ++d) pose.shift[d] += standing.shift[d];
-    all.push_back({surface, pose});
+    all.push_back({surface, pose, static_cast<std::uint32_t>(standing.obstacle)});
   }
   return all;
 }

@@ -13,26 +13,6 @@ constexpr double smallest_open = 1e-4; // less is closed; rounding more than tha
 constexpr double on_the_surface = 1e-6; // cells: nodes so near are solid, whatever rounding says
 constexpr std::size_t most_obstacles = 65535;
 
-/// The box around the first Dim axes of a moved box.
-template <int Dim> Bounds moved(const Bounds& b, const Pose& pose) {
-  Bounds out = Bounds::infinite();
-  bool finite = true;
-  for (std::size_t d = 0; d < Dim; ++d) finite = finite && std::isfinite(b.lo[d]) && std::isfinite(b.hi[d]);
-  if (pose.rotation == Pose{}.rotation) {
-    for (std::size_t d = 0; d < Dim; ++d) out.lo[d] = b.lo[d] + pose.shift[d], out.hi[d] = b.hi[d] + pose.shift[d];
-  } else if (finite) {
-    std::swap(out.lo, out.hi);
-    for (int corner = 0; corner < 1 << Dim; ++corner) {
-      Point p{0, 0, 0};
-      for (std::size_t d = 0; d < Dim; ++d) p[d] = corner >> d & 1 ? b.hi[d] : b.lo[d];
-      p = pose.apply(p);
-      for (std::size_t d = 0; d < Dim; ++d)
-        out.lo[d] = std::min(out.lo[d], p[d]), out.hi[d] = std::max(out.hi[d], p[d]);
-    }
-  }
-  return out;
-}
-
 } // namespace
 
 template <int Dim, class Real>
@@ -72,32 +52,13 @@ template <int Dim, class Real> double Solids<Dim, Real>::distance(const Vec<Dim,
 template <int Dim, class Real>
 void Solids<Dim, Real>::stand(std::size_t obstacle, double t, const Walls<Dim, Real>& walls) {
   const Obstacle& o = obstacles_[obstacle];
-  Standing s{obstacle, o.pose(t), {0, 0, 0}, {}};
-  const Bounds whole = moved<Dim>(o.shape->bounds(domain_), s.pose);
-  const double margin = band * grid_.dx;
-  std::array<int, 3> first{0, 0, 0}, last{0, 0, 0};
-  for (int d = 0; d < Dim; ++d) {
-    const auto axis = static_cast<std::size_t>(d);
-    const double size = grid_.size_m()[d];
-    if (!walls.periodic(d) || !std::isfinite(whole.lo[axis]) || !std::isfinite(whole.hi[axis])) continue;
-    first[axis] = static_cast<int>(std::ceil((-margin - whole.hi[axis]) / size));
-    last[axis] = static_cast<int>(std::floor((size + margin - whole.lo[axis]) / size));
-  }
-  for (int k = first[2]; k <= last[2]; ++k)
-    for (int j = first[1]; j <= last[1]; ++j)
-      for (int i = first[0]; i <= last[0]; ++i) {
-        const std::array<int, 3> image{i, j, k};
-        bool reaches = true;
-        s.bounds = whole;
-        for (std::size_t d = 0; d < Dim; ++d) {
-          const double size = grid_.size_m()[static_cast<int>(d)];
-          s.shift[d] = image[d] * size;
-          s.bounds.lo[d] += s.shift[d];
-          s.bounds.hi[d] += s.shift[d];
-          reaches = reaches && s.bounds.lo[d] <= size + margin && s.bounds.hi[d] >= -margin;
-        }
-        if (reaches) standing_.push_back(s);
-      }
+  const Pose pose = o.pose(t);
+  Axes periodic{};
+  for (int d = 0; d < Dim; ++d) periodic[static_cast<std::size_t>(d)] = walls.periodic(d);
+  each_image(moved(o.shape->bounds(domain_), pose, Dim), domain_, periodic, band * grid_.dx,
+             [&](const Point& shift, const Bounds& bounds) {
+               standing_.push_back({obstacle, pose, shift, bounds});
+             });
 }
 
 /// phi = min(phi, distance) around the obstacle.
@@ -189,13 +150,10 @@ template <int Dim, class Real> void Solids<Dim, Real>::find_cut_cells(const Wall
   const double reach = (0.5 * std::sqrt(Dim) + 0.01) * grid_.dx;
   each_in(grid_, cells_of(grid_), pool, [&](const Index<Dim>&, std::size_t at) {
     double sum = 0, least = 1e300;
-    for (int corner = 0; corner < 1 << Dim; ++corner) {
-      std::size_t node = at;
-      for (int d = 0; d < Dim; ++d)
-        if (corner >> d & 1) node += static_cast<std::size_t>(grid_.stride(d));
+    each_corner(grid_, at, -1, [&](std::size_t node, int) {
       sum += static_cast<double>(phi_[node]);
       least = std::min(least, static_cast<double>(phi_[node]));
-    }
+    });
     near_[at] = least < reach;
     inside_[at] = sum <= 0;
   });

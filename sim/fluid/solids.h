@@ -11,6 +11,7 @@
 // velocity that particles gave them and the change of velocity outside, then u.n = U.n (free slip), or u = U (no slip).
 #pragma once
 
+#include "sim/boundary/images.h"
 #include "sim/boundary/obstacle.h"
 #include "sim/fluid/cells.h"
 
@@ -41,8 +42,9 @@ public:
   void place(double t, Walls<Dim, Real>& walls, Pool& pool);
   /// Their velocity from the difference of the poses at two times, where they have been placed.
   void give_velocity(double from, double to, Walls<Dim, Real>& walls, Pool& pool);
-  /// The longest step from t on in which no solid moves by more than `cells` cells; at most `dt`.
-  [[nodiscard]] double max_dt(double t, double cells, double dt) const;
+  /// The longest step from t on in which no solid moves by more than `cells` cells or turns far; at most `dt`. Throws
+  /// UserError, naming the obstacle, where no step is short enough.
+  [[nodiscard]] double max_dt(double t, double cells, double dt, const Walls<Dim, Real>& walls) const;
 
   /// Signed distance at the nodes, up to 4 dx exact outside; pads filled.
   [[nodiscard]] const Field<Real>& distance() const { return phi_; }
@@ -83,6 +85,9 @@ private:
   [[nodiscard]] const Standing& owner_of(std::size_t at, int axis) const;
   [[nodiscard]] Vec<Dim, Real> normal(std::size_t at, int axis) const;
   [[nodiscard]] Point face_centre(const Index<Dim>& i, int axis) const;
+
+  [[nodiscard]] Bounds visible(const Obstacle& o, const Pose& pose, const Walls<Dim, Real>& walls) const;
+  [[nodiscard]] double excess(const Obstacle& o, double t, double dt, double way, const Walls<Dim, Real>& walls) const;
 
   [[nodiscard]] double distance(const Standing& s, const Point& p) const;
   [[nodiscard]] Point velocity(const Standing& s, const Point& p) const;

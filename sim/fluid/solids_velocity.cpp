@@ -5,6 +5,7 @@
 #include "sim/fluid/solids.h"
 
 #include <cmath>
+#include <cstdio>
 
 namespace flipbook {
 namespace {
@@ -12,6 +13,8 @@ namespace {
 constexpr int layers = 3;             // of faces inside solids that a kernel can reach
 constexpr double longest_look = 0.05; // seconds: a motion is looked at no less often
 constexpr int looks = 8;              // in a step
+constexpr double widest_turn = 0.5;   // radians in a step: the velocity belongs to a chord, not to an arc
+constexpr double shortest = 5e-8;     // seconds: shorter steps lead nowhere
 
 } // namespace
 
@@ -25,13 +28,9 @@ template <int Dim, class Real> Point Solids<Dim, Real>::face_centre(const Index<
 template <int Dim, class Real>
 const typename Solids<Dim, Real>::Standing& Solids<Dim, Real>::owner_of(std::size_t at, int axis) const {
   std::size_t nearest = at;
-  for (int corner = 1; corner < 1 << Dim; ++corner) {
-    if (corner >> axis & 1) continue;
-    std::size_t node = at;
-    for (int d = 0; d < Dim; ++d)
-      if (corner >> d & 1) node += static_cast<std::size_t>(grid_.stride(d));
+  each_corner(grid_, at, axis, [&](std::size_t node, int) {
     if (phi_[node] < phi_[nearest]) nearest = node;
-  }
+  });
   return standing_[owner_[nearest]];
 }
 
@@ -60,33 +59,81 @@ void Solids<Dim, Real>::give_velocity(double from, double to, Walls<Dim, Real>& 
   }
 }
 
-template <int Dim, class Real> double Solids<Dim, Real>::max_dt(double t, double cells, double dt) const {
+/// Where the corners of what the domain may hold of an obstacle are, before it is moved.
+template <int Dim, class Real>
+Bounds Solids<Dim, Real>::visible(const Obstacle& o, const Pose& pose, const Walls<Dim, Real>& walls) const {
+  Bounds box = o.shape->bounds(domain_);
+  Bounds within{Bounds::infinite().hi, Bounds::infinite().lo}; // the domain, as the obstacle sees it
+  for (int corner = 0; corner < 1 << Dim; ++corner) {
+    Point x{0, 0, 0};
+    for (std::size_t d = 0; d < Dim; ++d) x[d] = corner >> d & 1 ? domain_.size[d] : 0;
+    const Point X = pose.back(x);
+    for (std::size_t d = 0; d < Dim; ++d)
+      within.lo[d] = std::min(within.lo[d], X[d]), within.hi[d] = std::max(within.hi[d], X[d]);
+  }
+  bool images = false;
+  for (int d = 0; d < Dim; ++d) images = images || walls.periodic(d);
+  for (std::size_t d = 0; d < Dim; ++d) {
+    if (images && std::isfinite(box.lo[d]) && std::isfinite(box.hi[d])) continue; // another part may be in
+    box.lo[d] = std::clamp(box.lo[d], within.lo[d], within.hi[d]);
+    box.hi[d] = std::clamp(box.hi[d], within.lo[d], within.hi[d]);
+  }
+  return box;
+}
+
+/// By how much a step of dt from t on is too long for an obstacle: its longest way over `way`, its turn over the
+/// widest. Not more than 1 where nothing of it comes near the domain.
+template <int Dim, class Real>
+double Solids<Dim, Real>::excess(const Obstacle& o, double t, double dt, double way,
+                                 const Walls<Dim, Real>& walls) const {
+  Axes periodic{};
+  for (int d = 0; d < Dim; ++d) periodic[static_cast<std::size_t>(d)] = walls.periodic(d);
+  double most = 0;
+  for (int look = 0; look < looks; ++look) {
+    const double from = t + dt * look / looks, to = t + dt * (look + 1) / looks;
+    const Pose a = o.pose(from), b = o.pose(to);
+    const double turn = looks * std::abs(o.motion->angle(to) - o.motion->angle(from)) / widest_turn;
+    Bounds swept = moved(o.shape->bounds(domain_), a, Dim);
+    const Bounds end = moved(o.shape->bounds(domain_), b, Dim);
+    for (std::size_t d = 0; d < Dim; ++d) {
+      swept.lo[d] = std::min(swept.lo[d], end.lo[d]);
+      swept.hi[d] = std::max(swept.hi[d], end.hi[d]);
+    }
+    bool near = turn > looks; // so far that the box says little
+    for (std::size_t d = 0; d < Dim; ++d) near = near || periodic[d];
+    if (!near) each_image(swept, domain_, periodic, way, [&](const Point&, const Bounds&) { near = true; });
+    if (!near) continue;
+    most = std::max(most, turn);
+    const Bounds box = visible(o, a, walls);
+    for (int corner = 0; corner < 1 << Dim; ++corner) {
+      Point X{0, 0, 0};
+      for (std::size_t d = 0; d < Dim; ++d) X[d] = corner >> d & 1 ? box.hi[d] : box.lo[d];
+      const Point x0 = a.apply(X), x1 = b.apply(X);
+      most = std::max(most, looks * std::hypot(x1[0] - x0[0], x1[1] - x0[1], x1[2] - x0[2]) / way);
+    }
+  }
+  return most;
+}
+
+template <int Dim, class Real>
+double Solids<Dim, Real>::max_dt(double t, double cells, double dt, const Walls<Dim, Real>& walls) const {
   if (!moving_) return dt;
   dt = std::min(dt, longest_look);
-  const double way = cells * grid_.dx;
-  for (std::size_t k = at_rest_; k < standing_.size(); ++k) {
-    const Standing& s = standing_[k];
-    const auto fastest = [&](double step) { // of the corners of what the domain holds of it
-      double speed = 0;
-      for (int look = 0; look < looks; ++look) {
-        const double from = t + step * look / looks, to = t + step * (look + 1) / looks;
-        Pose a = obstacles_[s.obstacle].pose(from), b = obstacles_[s.obstacle].pose(to);
-        for (std::size_t d = 0; d < 3; ++d) a.shift[d] += s.shift[d], b.shift[d] += s.shift[d];
-        const RigidVelocity v = velocity_between(a, b, to - from);
-        for (int corner = 0; corner < 1 << Dim; ++corner) {
-          Point x{0, 0, 0};
-          for (std::size_t d = 0; d < Dim; ++d)
-            x[d] = std::clamp(corner >> d & 1 ? s.bounds.hi[d] : s.bounds.lo[d], 0.0, domain_.size[d]);
-          const Point u = v.at(x);
-          speed = std::max(speed, std::hypot(u[0], u[1], Dim == 3 ? u[2] : 0));
-        }
-      }
-      return speed;
-    };
-    for (int i = 0; i < 8; ++i) {
-      const double speed = fastest(dt);
-      if (speed * dt <= way) break;
-      dt = 0.99 * way / speed;
+  for (std::size_t o = 0; o < obstacles_.size(); ++o) {
+    if (!obstacles_[o].motion) continue;
+    const double given = dt;
+    for (int i = 0; i < 32; ++i) {
+      const double over = excess(obstacles_[o], t, dt, cells * grid_.dx, walls);
+      if (over <= 1) break;
+      dt *= 0.99 / over;
+    }
+    if (dt < given && dt < shortest) {
+      std::array<char, 160> text{};
+      std::snprintf(text.data(), text.size(),
+                    "obstacle %zu of the scene jumps or moves too fast at t = %.6g s: no step of %.0e s or more is "
+                    "short enough",
+                    o + 1, t, shortest);
+      throw UserError(text.data());
     }
   }
   return dt;
@@ -123,18 +170,14 @@ void Solids<Dim, Real>::carry_change(const Walls<Dim, Real>& walls, const Cells<
 template <int Dim, class Real> Vec<Dim, Real> Solids<Dim, Real>::normal(std::size_t at, int axis) const {
   Vec<Dim, Real> g = Vec<Dim, Real>::Zero();
   const auto along = static_cast<std::size_t>(grid_.stride(axis));
-  for (int corner = 0; corner < 1 << Dim; ++corner) {
-    if (corner >> axis & 1) continue;
-    std::size_t node = at;
-    for (int d = 0; d < Dim; ++d)
-      if (corner >> d & 1) node += static_cast<std::size_t>(grid_.stride(d));
+  each_corner(grid_, at, axis, [&](std::size_t node, int corner) {
     for (int d = 0; d < Dim; ++d) {
       if (d == axis)
         g[d] += phi_[node + along] - phi_[node - along]; // over two cells
       else
         g[d] += 4 * (corner >> d & 1 ? phi_[node] : -phi_[node]); // between half of the corners and the others
     }
-  }
+  });
   const Real length = g.norm();
   return length > 0 ? Vec<Dim, Real>(g / length) : g;
 }
@@ -178,7 +221,7 @@ void Solids<Dim, Real>::constrain(const Walls<Dim, Real>& walls, Components<Dim,
 #define FLIPBOOK_SOLIDS(Dim, Real)                                                                                     \
   template Point Solids<Dim, Real>::velocity(const Standing&, const Point&) const;                                     \
   template void Solids<Dim, Real>::give_velocity(double, double, Walls<Dim, Real>&, Pool&);                            \
-  template double Solids<Dim, Real>::max_dt(double, double, double) const;                                             \
+  template double Solids<Dim, Real>::max_dt(double, double, double, const Walls<Dim, Real>&) const;                    \
   template void Solids<Dim, Real>::before_projection(const Components<Dim, Real>&);                                    \
   template void Solids<Dim, Real>::carry_change(const Walls<Dim, Real>&, const Cells<Dim, Real>&,                      \
                                                 const Components<Dim, Real>&, Components<Dim, Real>&, Pool&);          \

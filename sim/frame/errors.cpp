@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/frame/errors.h"
 
+#include "sim/frame/text.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -25,10 +27,6 @@ std::string non_finite(std::string_view scheme, std::uint64_t step, double time,
   std::string text(scheme);
   text.append(": particle ").append(std::to_string(particle)).append(" is no longer finite after step ");
   return text.append(std::to_string(step)).append(" (t = ").append(t.data(), end).append(" s)");
-}
-
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
 /// Insertions, deletions, replacements and swaps of neighbours (optimal string alignment), case ignored.

@@ -43,6 +43,7 @@ struct TriangleMesh {
 struct Solid {
   std::shared_ptr<const TriangleMesh> surface; ///< in the body's own frame; shared by all snapshots of a run
   Pose pose;
+  std::uint32_t id = 0; ///< which obstacle; its images across periodic sides share it
 };
 
 } // namespace flipbook

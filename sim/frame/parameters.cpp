@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "sim/frame/parameters.h"
 
+#include "sim/frame/text.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace flipbook {
 namespace {
-
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
-bool same_word(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
-}
 
 std::string quoted_list(std::span<const Option> options) {
   std::string text;

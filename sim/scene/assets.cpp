@@ -62,7 +62,9 @@ std::string find_input(std::string_view folder, const std::string& written, cons
     if (fs::exists(path, none)) return path.string();
   std::string paths;
   for (const fs::path& path : tried) paths.append(paths.empty() ? "" : " and ").append(path.string());
-  throw UserError("there is no file \"" + written + "\" (looked for " + paths + ")", where);
+  throw UserError("there is no file \"" + written + "\" (looked for " + paths +
+                      "); put it beside the scene or study that names it",
+                  where);
 }
 
 std::vector<std::string> list_assets(std::string_view folder) {

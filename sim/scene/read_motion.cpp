@@ -50,7 +50,7 @@ std::array<OfTime, 3> read_offset(const Node* list, Mistakes& mistakes) {
 
 // === Keys
 
-enum class Ease { smooth, linear, step };
+enum class Ease { smooth, linear };
 
 struct MotionKey {
   double t = 0;
@@ -62,9 +62,13 @@ Ease read_ease(TableReader& table) {
   const std::string name = table.text("ease", "smooth");
   if (name == "smooth") return Ease::smooth;
   if (name == "linear") return Ease::linear;
-  if (name == "step") return Ease::step;
-  const std::vector<std::string> all{"smooth", "linear", "step"};
-  table.mistake("there is no ease \"" + name + "\": it is \"smooth\", \"linear\" or \"step\"", *table.optional("ease"),
+  const Node& ease = *table.optional("ease");
+  if (name == "step") { // which studies have
+    table.mistake("an obstacle cannot jump through the fluid: here \"ease\" is \"smooth\" or \"linear\"", ease);
+    return Ease::smooth;
+  }
+  const std::vector<std::string> all{"smooth", "linear"};
+  table.mistake("there is no ease \"" + name + "\" of a motion: it is \"smooth\" or \"linear\"", ease,
                 nearest_name(name, all));
   return Ease::smooth;
 }
@@ -104,7 +108,7 @@ Displacement between(const std::vector<MotionKey>& keys, double t) {
   const auto next = std::find_if(keys.begin(), keys.end(), [t](const MotionKey& k) { return k.t > t; });
   if (next == keys.begin()) return keys.front().to;
   const MotionKey& from = *(next - 1);
-  if (next == keys.end() || next->ease == Ease::step) return from.to;
+  if (next == keys.end()) return from.to;
   double s = (t - from.t) / (next->t - from.t);
   if (next->ease == Ease::smooth) s = s * s * (3 - 2 * s);
   Displacement now;

@@ -29,6 +29,11 @@ struct ParticleSource {
   Location where;                           ///< in the scene
 };
 
+/// The box in which a run with these settings happens.
+[[nodiscard]] inline Domain domain_of(const Settings& settings) {
+  return {settings.dim, settings.grid.size, settings.grid.origin};
+}
+
 struct Scene {
   std::string name, summary, reference;
   double duration = 2; ///< seconds worth watching
@@ -38,7 +43,7 @@ struct Scene {
   std::vector<Obstacle> obstacles;
   std::vector<Assignment> view; ///< `view.*` suggestions of the scene, for the program; unknown to the solver
 
-  [[nodiscard]] Domain domain() const { return {settings.dim, settings.grid.size, settings.grid.origin}; }
+  [[nodiscard]] Domain domain() const { return domain_of(settings); }
 };
 
 } // namespace flipbook

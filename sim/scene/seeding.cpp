@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/scene/seeding.h"
 
+#include "sim/boundary/images.h"
 #include "sim/core/random.h"
 #include "sim/scene/rows_in_domain.h"
 
@@ -54,33 +55,33 @@ private:
 /// Where obstacles and their images across periodic sides are at the start.
 class Blocked {
 public:
-  Blocked(const Scene& scene, const Domain& domain) : scene_(scene), domain_(domain) {
-    for (const Obstacle& o : scene.obstacles) poses_.push_back(o.pose(0));
-    for (std::size_t d = 0; d < static_cast<std::size_t>(domain.dim); ++d)
-      reach_[d] = scene.settings.walls.axis[d] == Wall::periodic ? 1 : 0;
+  Blocked(const Scene& scene, const Domain& domain) : domain_(domain) {
+    Axes periodic{};
+    for (std::size_t d = 0; d < 3; ++d) periodic[d] = scene.settings.walls.axis[d] == Wall::periodic;
+    for (const Obstacle& o : scene.obstacles) {
+      const Pose pose = o.pose(0);
+      each_image(moved(o.shape->bounds(domain), pose, domain.dim), domain, periodic, 0,
+                 [&](const Point& shift, const Bounds&) {
+                   images_.push_back({o.shape.get(), pose, shift});
+                 });
+    }
   }
 
   [[nodiscard]] bool operator()(const Point& p) const {
-    if (poses_.empty()) return false;
-    const Point& size = domain_.size;
-    for (int k = -reach_[2]; k <= reach_[2]; ++k)
-      for (int j = -reach_[1]; j <= reach_[1]; ++j)
-        for (int i = -reach_[0]; i <= reach_[0]; ++i)
-          if (holds({p[0] + i * size[0], p[1] + j * size[1], p[2] + k * size[2]})) return true;
-    return false;
+    return std::any_of(images_.begin(), images_.end(), [&](const Image& image) {
+      const Point& shift = image.shift;
+      return image.shape->contains(image.pose.back({p[0] - shift[0], p[1] - shift[1], p[2] - shift[2]}), domain_);
+    });
   }
 
 private:
-  [[nodiscard]] bool holds(const Point& p) const {
-    for (std::size_t o = 0; o < poses_.size(); ++o)
-      if (scene_.obstacles[o].shape->contains(poses_[o].back(p), domain_)) return true;
-    return false;
-  }
-
-  const Scene& scene_;
+  struct Image {
+    const Shape* shape;
+    Pose pose;
+    Point shift;
+  };
   const Domain& domain_;
-  std::vector<Pose> poses_;
-  std::array<int, 3> reach_{0, 0, 0};
+  std::vector<Image> images_;
 };
 
 /// The fluid that starts at p: none in an obstacle.

@@ -2,10 +2,10 @@
 #include "sim/transfer/schemes.h"
 
 #include "sim/frame/forwarding_visitor.h"
+#include "sim/frame/text.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -68,12 +68,6 @@ private:
 [[nodiscard]] std::string title_number(double x) {
   const double whole = std::round(x);
   return short_number(x, x != whole && std::abs(x - whole) < 5e-3 ? 6 : 3);
-}
-
-[[nodiscard]] std::string lower(std::string_view text) {
-  std::string s(text);
-  std::transform(s.begin(), s.end(), s.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return s;
 }
 
 } // namespace

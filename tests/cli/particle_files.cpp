@@ -97,6 +97,7 @@ TEST(ParticleFiles, AreNamedInPicturesAsTheSceneNamesThem) {
   const Outcome o = run({"render", elsewhere.string(), "-o", "c/"}, f.path());
   EXPECT_EQ(o.code, 2);
   EXPECT_THAT(o.err, HasSubstr("there is no file \"../data/block.csv\" (looked for "));
+  EXPECT_THAT(o.err, HasSubstr("put it beside the scene or study that names it"));
 }
 
 TEST(ParticleFiles, ComeOutWithTheirRowsAsIds) {

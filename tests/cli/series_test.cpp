@@ -2,6 +2,7 @@
 // Series of particle files: what --particles writes, and what drawing such a folder makes of it.
 #include "app/series/series.h"
 #include "sim/files/read_particles.h"
+#include "sim/frame/errors.h"
 #include "tests/cli/program.h"
 
 #include <gmock/gmock.h>
@@ -9,6 +10,7 @@
 
 #include <map>
 #include <numeric>
+#include <random>
 
 namespace flipbook::test {
 
@@ -165,6 +167,31 @@ TEST(Series, IsDrawnLikeTheRunThatWroteIt) {
     }
 }
 
+TEST(Series, SolidsMayLeaveEnterAndCrossPeriodicSides) {
+  const std::map<std::string, std::string> tries{
+      {"leaves", "centre = [0.9, 0.5]\nmotion = { offset = [\"8*t\", 0] }\n"},
+      {"enters", "centre = [-0.3, 0.5]\nmotion = { offset = [\"8*t\", 0] }\n"},
+      {"crosses", "centre = [0.8, 0.5]\nmotion = { offset = [\"4*t\", 0] }\n"},
+      {"stands behind one that leaves", "centre = [0.9, 0.5]\nmotion = { offset = [\"8*t\", 0] }\n"
+                                        "[[obstacle]]\nshape = \"ball\"\nradius = 0.1\ncentre = [0.4, 0.6]\n"}};
+  for (const auto& [name, body] : tries) {
+    const Folder f;
+    (void)f.write("scene.toml", std::string("grid.size = [1, 1]\ngrid.cells = [16, 16]\n") +
+                                    (name == "crosses" ? "walls.x = \"periodic\"\n" : "") +
+                                    "[[body]]\nshape = \"half_space\"\npoint = [0, 0.2]\nnormal = [0, 1]\n"
+                                    "[[obstacle]]\nshape = \"ball\"\nradius = 0.15\n" +
+                                    body);
+    must_run({"render", "scene.toml", "--frames", "4", "--size", "320x180", "--set", "view.plot_height=0", "--set",
+              "view.show_panel=false", "--particles", "p", "-o", "direct/", "-q"},
+             f);
+    must_run({"render", "p", "-o", "played/", "--size", "320x180", "-q"}, f);
+    for (const std::string k : {"0", "1", "2", "3"})
+      EXPECT_TRUE(pixels(f, "direct/frame_00000" + k + ".png") == pixels(f, "played/frame_00000" + k + ".png"))
+          << name << ", frame " << k;
+    EXPECT_TRUE(pixels(f, "direct/frame_000000.png") != pixels(f, "direct/frame_000003.png")) << name;
+  }
+}
+
 TEST(Series, FollowsWhatTheTimelineChanged) {
   const Folder f;
   (void)f.write("s.toml", "scene = \"drop\"\ngrid.cells = [16, 16]\noutput.frames = 3\nview.show_panel = false\n"
@@ -265,6 +292,75 @@ TEST(Series, HostileOnesGetOneLine) {
   (void)f.write("p/apic/frame_000001.csv", rows.substr(0, rows.size() - 30) + "\n1,2\n");
   EXPECT_THAT(refusal(), AllOf(HasSubstr("p/apic/frame_000001.csv:"), HasSubstr("columns in a row")));
   EXPECT_FALSE(std::filesystem::exists(f.path() / "v")) << "no picture of a damaged series";
+}
+
+TEST(Particles, NeverReplaceWhatIsNotTheirs) {
+  const Folder f;
+  (void)f.write("study.toml", "scene = \"drop\"\n");
+  const Words tiny{"--cells", "16", "--frames", "2", "-q", "--particles"};
+  expect_refusal(run(joined({"render", "study.toml"}, joined(tiny, {"."})), f.path()), 2, {"study.toml", "in the way"});
+  EXPECT_EQ(read_file(f.path() / "study.toml"), "scene = \"drop\"\n");
+  std::filesystem::create_directories(f.path() / "p/apic");
+  (void)f.write("p/apic/frame_000001.csv", "x");
+  expect_refusal(run(joined({"render", "drop"}, joined(tiny, {"p"})), f.path()), 2,
+                 {"p/apic/frame_000001.csv", "in the way"});
+  EXPECT_EQ(f.files(), (Words{"p", "p/apic", "p/apic/frame_000001.csv", "study.toml"}));
+}
+
+TEST(Series, NumbersTooLargeToDrawAreRefused) {
+  const Folder f;
+  std::filesystem::create_directory(f.path() / "mine");
+  for (const std::string row : {"1e300,0", "0,-1e308", "2e9,0"}) {
+    (void)f.write("mine/a.CSV", "x,y\n0,0\n" + row + "\n");
+    expect_refusal(run({"render", "mine", "-o", "v/"}, f.path()), 2, {"mine/a.CSV", "particle 2", "1e9 m"});
+  }
+  for (const std::string row : {"1e9,0", "1e9,1e-300", "0,0", "1e-300,0", "1e9,1e9"}) { // thin, tiny, far
+    (void)f.write("mine/a.CSV", "x,y\n0,0\n" + row + "\n");
+    must_run({"render", "mine", "-o", "v/", "--size", "320x180", "-q"}, f);
+  }
+}
+
+TEST(Series, AnotherQuantityHasItsOwnRange) {
+  const Folder f;
+  must_run(
+      {"render", "drop", "--cells", "16", "--frames", "1", "-q", "--particles", "p", "--set", "view.range=0,0.001"}, f);
+  const auto draw = [&](const std::string& range, const std::string& to) {
+    Words words{"render", "p", "--size", "320x180", "-q", "-o", to, "--set", "view.colour=initial_x"};
+    must_run(range.empty() ? words : joined(words, {"--set", "view.range=" + range}), f);
+    return pixels(f, to + "frame_000000.png");
+  };
+  const std::string own = draw("", "a/");
+  EXPECT_TRUE(own == draw("0,0", "b/"));
+  EXPECT_TRUE(own != draw("0,0.001", "c/"));
+}
+
+TEST(Series, DamagedIndexesNeverCrashTheReader) {
+  const Folder f;
+  must_run({"render", "drop_on_sphere", "--cells", "16", "--frames", "2", "-q", "--particles", "p"}, f);
+  const std::filesystem::path folder = f.path() / "p";
+  std::mt19937 random(7);
+  int refused = 0;
+  for (const std::string name : {"series.toml", "apic/solids.txt"}) {
+    const std::string good = read_file(folder / name);
+    for (int i = 0; i < 1000; ++i) {
+      std::string bad = good;
+      for (auto n = random() % 4 + 1; n > 0; --n) {
+        const std::size_t at = random() % bad.size(), length = random() % 9;
+        const std::string_view with =
+            std::string_view("0123456789.-e[]\"=, \n\xff\0abc", 26).substr(random() % 26, length);
+        bad.replace(at, random() % 12, with);
+      }
+      (void)f.write("p/" + name, bad);
+      try {
+        (void)app::read_series(folder);
+      } catch (const UserError&) {
+        ++refused;
+      }
+    }
+    (void)f.write("p/" + name, good);
+  }
+  EXPECT_GT(refused, 1000);
+  EXPECT_EQ(app::read_series(folder).variants.front().places.size(), 1U) << "the ball stands still";
 }
 
 TEST(Series, FoldersHaveSafeNames) {

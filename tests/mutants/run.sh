@@ -2,13 +2,18 @@
 # Applies each small wrong change in tests/mutants/*.patch to a scratch copy of the sources and demands that the test named
 # in its first line catches it. A mutant that does not apply or build, or that the test does not notice, is an error; so is a
 # test that fails, or does not exist, without any mutant.
-#   tests/mutants/run.sh [NAME...]        without names: all of them
+#   tests/mutants/run.sh [--share K/N] [NAME...]        without names: all of them; --share: every N-th, from the K-th on
 # A patch begins with:  Caught-by: <test program, without test_> <googletest filter>
 set -euo pipefail
 top=$(cd "$(dirname "$0")/../.." && pwd)
 . "$top/tests/mutants/scratch.sh"
 make_scratch "$top" # leaves us in the copy
 
+share=0 shares=1
+if [ "${1:-}" = --share ]; then
+  share=${2%/*} shares=${2#*/}
+  shift 2
+fi
 patches=()
 for name in "${@:-*}"; do
   for p in "$top"/tests/mutants/$name.patch; do # the default is a pattern
@@ -16,6 +21,9 @@ for name in "${@:-*}"; do
     patches+=("$p")
   done
 done
+chosen=()
+for i in "${!patches[@]}"; do [ $((i % shares)) -ne $((share % shares)) ] || chosen+=("${patches[i]}"); done
+patches=("${chosen[@]}")
 caught_by() { grep -m1 '^Caught-by:' "$1" | cut -d' ' -f2-; }
 build() { cmake --build ../build --target "$@" >../build.log 2>&1; }
 passes() { # PROGRAM FILTER; a filter that no test answers to is no pass

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Obstacles that move, curved walls, and the particles around them.
+#include "sim/boundary/mesh_shape.h"
 #include "tests/physics/solids.h"
 
 #include <gtest/gtest.h>
@@ -268,6 +269,30 @@ TEST(MovingBall, IsPublished) {
   EXPECT_NEAR(later->solids[2].pose.shift[0], 0.5, 1e-12);
 }
 
+/// A ball on a periodic side is whole in both of its images.
+template <int Dim> void expect_both_images() {
+  Settings s = box({16, 16, 16}, 1.0 / 16, Dim);
+  s.walls.axis[0] = Wall::periodic;
+  const std::vector<Obstacle> obstacles{{make_ball(at(0, 0.5, 0.5), 0.2)}};
+  Flow<Dim> flow(s, seed_around<Dim>(s, obstacles, everywhere<Dim>), 1, obstacles);
+  const auto snapshot = flow.solver.snapshot(0, {});
+  ASSERT_EQ(snapshot->solids.size(), 2U);
+  EXPECT_EQ(snapshot->solids[0].pose.shift[0], 0);
+  EXPECT_EQ(snapshot->solids[1].pose.shift[0], 1);
+  EXPECT_EQ(snapshot->solids[0].id, snapshot->solids[1].id);
+  const auto& vertices = snapshot->solids[0].surface->vertices;
+  double lo = 1, hi = -1;
+  for (std::size_t v = 0; v < vertices.size(); v += 3)
+    lo = std::min<double>(lo, vertices[v]), hi = std::max<double>(hi, vertices[v]);
+  EXPECT_NEAR(lo, -0.2, 1e-3);
+  EXPECT_NEAR(hi, 0.2, 1e-3);
+}
+
+TEST(StillBall, IsPublishedOnBothSidesOfAPeriodicDomain) {
+  expect_both_images<2>();
+  expect_both_images<3>();
+}
+
 /// A still ball does not bound a step; a fast one does.
 TEST(MovingBall, BoundsTheStep) {
   Settings s = weightless(32);
@@ -278,6 +303,40 @@ TEST(MovingBall, BoundsTheStep) {
   EXPECT_NEAR(max_dt({{make_ball(at(0.5, 0.5), 0.1), steady({3, 4, 0})}}), 0.5 / 32 / 5, 1e-4);
   // The corner of its box is the fastest point that is looked at.
   EXPECT_NEAR(max_dt({{make_ball(at(0.5, 0.5), 0.1), spinning(10, middle)}}), 0.5 / 32 / (std::sqrt(2) * 1), 3e-4);
+  // From far outside it must not pass in one step; far away it may do what it likes.
+  EXPECT_LE(max_dt({{make_ball(at(-1, 0.5), 0.1), steady({100, 0, 0})}}), 1.0 / 100);
+  EXPECT_GT(max_dt({{make_ball(at(-9, 0.5), 0.1), steady({-100, 0, 0})}}), 0.04);
+  // Poses alone cannot tell 1000 radians per second from few.
+  EXPECT_NEAR(max_dt({{make_ball(at(0.5, 0.5), 0.001), spinning(1000, middle)}}), 0.5 / 1000, 1e-5);
+}
+
+/// A formula can jump. Then the message names the obstacle.
+TEST(MovingBall, ThatJumpsIsRefused) {
+  const auto jump = scripted([](double t) { return Point{t < 0.01 ? 0 : 0.2, 0, 0}; }, [](double) { return 0.0; }, {});
+  Flow<2> flow(weightless(32), seed<2>(weightless(32), everywhere<2>, at_rest<2>), 1,
+               {{make_ball(at(0.2, 0.2), 0.1)}, {make_ball(at(0.5, 0.5), 0.1), jump}});
+  std::string message;
+  try {
+    for (int i = 0; i < 2000 && flow.solver.time() < 0.02; ++i) flow.solver.step(flow.solver.max_dt());
+  } catch (const UserError& error) {
+    message = error.what();
+  }
+  EXPECT_EQ(message.substr(0, 58), "obstacle 2 of the scene jumps or moves too fast at t = 0.0");
+}
+
+/// Meshes are in world coordinates, and so must be what the fluid and the pictures take for their domain.
+TEST(StillMesh, StandsWhereTheWorldHasIt) {
+  Settings s = box({16, 16, 16}, 0.25, 3);
+  s.grid.origin = {-2, -2, -2};
+  s.fluid.gravity = {0, 0, 0};
+  Mesh tetrahedron{{{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+  const std::vector<Obstacle> obstacles{{make_mesh_shape(std::move(tetrahedron), false)}};
+  Flow<3> flow(s, seed_around<3>(s, obstacles, everywhere<3>), 1, obstacles);
+  EXPECT_LT(flow.state().solids.distance(Vec<3, double>(1.3, 1.3, 1.3)), 0);
+  EXPECT_GT(flow.state().solids.distance(Vec<3, double>(0.3, 0.3, 0.3)), 1);
+  const auto snapshot = flow.solver.snapshot(0, {});
+  ASSERT_EQ(snapshot->solids.size(), 1U);
+  EXPECT_EQ(snapshot->solids[0].surface->vertices[0], 1);
 }
 
 } // namespace

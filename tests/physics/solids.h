@@ -35,7 +35,7 @@ inline MotionPtr spinning(double rate, const Point& centre) {
 /// Liquid that no obstacle holds, at rest.
 template <int Dim, class Real = double, class Inside>
 Particles<Dim, Real> seed_around(const Settings& s, const std::vector<Obstacle>& obstacles, Inside&& inside) {
-  const Domain domain{Dim, s.grid.size};
+  const Domain domain = domain_of(s);
   return seed<Dim, Real>(
       s,
       [&](const auto& x) {
@@ -52,7 +52,7 @@ Particles<Dim, Real> seed_around(const Settings& s, const std::vector<Obstacle>&
 /// outside.
 template <int Dim, class Real> double deepest(const Flow<Dim, Real>& flow) {
   const auto& state = flow.state();
-  const Domain domain{Dim, state.settings.grid.size};
+  const Domain domain = domain_of(state.settings);
   double depth = -1e300;
   for (const Obstacle& o : state.solids.all()) {
     const Pose pose = o.pose(flow.solver.time());

@@ -131,6 +131,10 @@ TEST(HostileMesh, PlyMustHoldWhatItAnnounces) {
             "M:13: a mesh needs an element \"vertex\" and after it an element \"face\"");
   EXPECT_EQ(read("m.ply", replaced(text, "\n0.000000 0.000000 0.0", "\nnan 0 0.0")),
             "M:15: expected a finite number, not \"nan\"");
+  EXPECT_EQ(read("m.ply", replaced(text, "\n0.000000 0.000000 0.0", "\n1e999 0 0.0")),
+            "M:15: expected a finite number, not \"1e999\"");
+  EXPECT_EQ(read("m.ply", replaced(text, "\n0.000000 0.000000 0.0", "\n1E-999 0 0.0")), "no error") << "it is 0";
+  EXPECT_EQ(read("m.ply", replaced(text, "\n3 0 2 1", "\n\n \n3 0 2 1\n")), "no error") << "blank lines";
   EXPECT_EQ(read("m.ply", text.substr(0, text.size() - 20)).substr(0, 2), "M:");
   EXPECT_EQ(read("m.ply", binary.substr(0, binary.size() - 20)).substr(0, 2), "M:");
 }

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <sys/stat.h>
@@ -164,6 +165,29 @@ const Hostile plys[] = {
      "F: the file ends in row 2 of the 2 of its element \"vertex\""},
 };
 INSTANTIATE_TEST_SUITE_P(Ply, HostileParticles, ::testing::ValuesIn(plys));
+
+std::string repeated(const std::string& text, std::size_t bytes) {
+  std::string all;
+  while (all.size() < bytes) all += text;
+  return all;
+}
+
+/// The bytes before <AppendedData are few enough to be held, and it must cost no more to find the tags in them.
+TEST(HostileParticles, ThatAreAFloodOfTagsAreRefusedAtOnce) {
+  const std::string before = "<VTKFile type=\"PolyData\">", behind = "<AppendedData encoding=\"raw\">_";
+  const auto flood = [&](const std::string& text) { return read("a.vtp", before + repeated(text, 900'000) + behind); };
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(flood("<"), "F: not XML: a tag's name is longer than 256 bytes");
+  EXPECT_EQ(flood("a"), "F: the VTK file has no points");
+  EXPECT_EQ(flood("< "), "F: the VTK file has no points");
+  EXPECT_EQ(flood("<a b='c'/>"), "F: more than 4096 tags in the VTK file");
+  EXPECT_EQ(flood("<!--"), "F: the VTK file has no points");
+  EXPECT_EQ(flood("<!-- > -->"), "F: the VTK file has no points");
+  EXPECT_EQ(flood("<a b="), "F: the VTK file has no points");
+  EXPECT_EQ(read("a.vtp", before + "<a " + repeated("b='c' ", 900'000) + ">" + behind),
+            "F: the VTK file has no points");
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+}
 
 TEST(HostileParticles, ThatAreNoFilesAreRefused) {
   const auto message = [](const std::string& path) { return message_of([&] { (void)read_particles(path); }); };

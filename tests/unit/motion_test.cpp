@@ -24,6 +24,7 @@ TEST(Motion, TurnsAboutItsCentreThenMovesAlong) {
       },
       {0, 0, 2}, {1, 1, 0});
   expect_near(motion->at(0).apply({3, 1, 5}), {3, 1, 5}, 0);
+  EXPECT_EQ(motion->angle(40), 20 * pi) << "full turns count";
   expect_near(motion->at(1).apply({3, 1, 5}), {2, 5, 5}, 1e-14); // (1, 3) after a quarter turn, and (1, 2) further
   expect_near(motion->at(1).back(motion->at(1).apply({0.3, 0.4, 0.5})), {0.3, 0.4, 0.5}, 1e-14);
 }
@@ -96,13 +97,13 @@ TEST(Obstacle, MovesByFormulasAndNumbers) {
 
 TEST(Obstacle, MovesThroughKeys) {
   const std::string keys = "{ keys = [{ t = 1 }, { t = 2, offset = [0.4, 0] }, { t = 3, offset = [0, 1], ease = "
-                           "\"linear\" }, { t = 4, angle = 1, ease = \"step\" }] }";
+                           "\"linear\" }, { t = 3.5, offset = [0, 1] }, { t = 4, angle = 1 }] }";
   const auto offset = [&](double t) { return moved(keys, t, {0.5, 0.5, 0}); };
   expect_near(offset(0), {0.5, 0.5, 0}, 0);
   expect_near(offset(1.25), {0.5 + 0.4 * 0.15625, 0.5, 0}, 1e-15);
   expect_near(offset(2), {0.9, 0.5, 0}, 1e-15);
   expect_near(offset(2.25), {0.8, 0.75, 0}, 1e-15);
-  expect_near(offset(3.9), {0.5, 1.5, 0}, 1e-15);
+  expect_near(offset(3.4), {0.5, 1.5, 0}, 1e-15);
   expect_near(offset(4), {0.5, 0.5, 0}, 1e-15);
   expect_near(moved(keys, 9, {1.5, 0.5, 0}), {0.5 + std::cos(1), 0.5 + std::sin(1), 0}, 1e-15);
 }
@@ -133,7 +134,9 @@ TEST(Obstacle, SaysWhatIsWrongAndWhere) {
             "t.toml:9:33: the keys of a motion must be in the order of their times");
   EXPECT_EQ(
       mistake("motion = { keys = [{ t = 1, ease = \"smoth\" }] }\n"),
-      "t.toml:9:29: there is no ease \"smoth\": it is \"smooth\", \"linear\" or \"step\"; did you mean \"smooth\"?");
+      "t.toml:9:29: there is no ease \"smoth\" of a motion: it is \"smooth\" or \"linear\"; did you mean \"smooth\"?");
+  EXPECT_EQ(mistake("motion = { keys = [{ t = 1, ease = \"step\" }] }\n"),
+            "t.toml:9:29: an obstacle cannot jump through the fluid: here \"ease\" is \"smooth\" or \"linear\"");
 }
 
 TEST(Obstacle, SaysWhenAFormulaFailsLater) {

@@ -147,8 +147,10 @@ TEST_F(ParticleSourceTest, TakesFlatFilesInTwoDimensionsOnly) {
 
 TEST_F(ParticleSourceTest, SaysWhereItLookedForAFile) {
   EXPECT_EQ(refusal("file = \"data/a.txt\"\n"),
-            "scene.toml:3:1: there is no file \"data/a.txt\" (looked for data/a.txt and a.txt)");
-  EXPECT_EQ(refusal("file = \"a.txt\"\n"), "scene.toml:3:1: there is no file \"a.txt\" (looked for a.txt)");
+            "scene.toml:3:1: there is no file \"data/a.txt\" (looked for data/a.txt and a.txt); "
+            "put it beside the scene or study that names it");
+  EXPECT_EQ(refusal("file = \"a.txt\"\n"), "scene.toml:3:1: there is no file \"a.txt\" (looked for a.txt); "
+                                           "put it beside the scene or study that names it");
   EXPECT_EQ(refusal("file = \"\"\n"), "scene.toml:3:1: \"file\" must name a file");
   EXPECT_EQ(refusal("unit = \"m\"\n"), "scene.toml:2:1: a file of particles needs \"file\"");
   EXPECT_EQ(refusal("file = 3\n"), "scene.toml:3:1: \"file\" must be a text in quotes");

@@ -74,7 +74,7 @@ double off_surface(const TriangleMesh& mesh, const Shape& shape, const Domain& d
 const Domain space{3, {1, 1, 1}}, plane{2, {1, 1, 1}};
 
 std::shared_ptr<const TriangleMesh> of(const ShapePtr& shape, const Domain& domain) {
-  return solid_surface({shape}, domain);
+  return solid_surface({shape}, domain, {});
 }
 
 TEST(Surface, OfABallIsRound) {
@@ -125,10 +125,23 @@ TEST(Surface, OfMovingShapesIsWhole) {
   const auto outside = make_ball({{-0.5, 0.5, 0.5}, 3}, 0.2);
   EXPECT_TRUE(of(outside, space)->vertices.empty());
   const auto motion = make_motion([](double t) { return Displacement{{0.4 * std::sin(t), 0, 0}, 0}; }, {0, 0, 1}, {});
-  EXPECT_NEAR(volume(*solid_surface({outside, motion}, space)), 4 * std::numbers::pi / 3 * 0.008, 1e-4);
+  EXPECT_NEAR(volume(*solid_surface({outside, motion}, space, {})), 4 * std::numbers::pi / 3 * 0.008, 1e-4);
   // A wall that moves to the right by 0.4 and back still fills the domain to the left of it.
   const auto wall = make_half_space({{0.1, 0}, 2}, {{1, 0}, 2});
-  EXPECT_NEAR(volume(*solid_surface({wall, motion}, space)), 0.5, 1e-4);
+  EXPECT_NEAR(volume(*solid_surface({wall, motion}, space, {})), 0.5, 1e-4);
+}
+
+/// Its images across the side show what the domain cuts off.
+TEST(Surface, GoesOnAcrossAPeriodicSide) {
+  const Obstacle ball{make_ball({{0, 0.05, 0.5}, 3}, 0.2)};
+  const double whole = 4 * std::numbers::pi / 3 * 0.008, h = 0.15; // of the cap below y = 0
+  const double cap = std::numbers::pi * h * h * (0.2 - h / 3);
+  EXPECT_NEAR(volume(*solid_surface(ball, space, {true, false, false})), whole - cap, 1e-4);
+  EXPECT_NEAR(volume(*solid_surface(ball, space, {true, true, false})), whole, 1e-4);
+  EXPECT_NEAR(area(*solid_surface({make_ball({{1, 0.5}, 2}, 0.2)}, plane, {true, false, false})),
+              std::numbers::pi * 0.04, 1e-4);
+  const Obstacle floor{make_half_space({{0, 0.25}, 2}, {{0, 1}, 2})};
+  EXPECT_NEAR(volume(*solid_surface(floor, space, {true, false, true})), 0.25, 1e-6) << "what is infinite ends";
 }
 
 TEST(Surface, InThePlaneIsFilledAndOutlined) {

@@ -38,15 +38,6 @@ std::string assignments(const std::vector<Assignment>& all) {
   return text;
 }
 
-std::string solid_text(const SeriesSolid& solid) {
-  std::vector<double> poses;
-  for (const Pose& p : solid.poses) {
-    poses.insert(poses.end(), p.rotation.begin(), p.rotation.end());
-    poses.insert(poses.end(), p.shift.begin(), p.shift.end());
-  }
-  return "\n[[variant.solid]]\n" + line("file", solid.file) + line("poses", poses);
-}
-
 std::string variant_text(const SeriesVariant& v) {
   std::string text = "\n[[variant]]\n" + line("folder", v.folder);
   if (!v.label.empty()) text += line("label", v.label);
@@ -56,11 +47,11 @@ std::string variant_text(const SeriesVariant& v) {
           line("lo", axes(v.lo, v.dim)) + line("size", axes(v.size, v.dim)) + line("cells", axes(v.cells, v.dim)) +
           line("dx", v.dx) + periodic_text(v) + line("up", axes(v.up, v.dim)) +
           line("particle_spacing", v.particle_spacing) + line("steps", numbers(v.steps)) + line("dt", v.dt);
+  if (!v.places.empty()) text += line("solids", true);
   text += "\n[variant.parameters]\n" + assignments(v.parameters);
   for (const SeriesVariant::Change& c : v.changes)
     text += "\n[[variant.change]]\n" + line("frame", static_cast<double>(c.frame)) + line("title", c.title) +
             assignments(c.parameters);
-  for (const SeriesSolid& solid : v.solids) text += solid_text(solid);
   return text;
 }
 
@@ -70,6 +61,10 @@ std::string frame_file(std::uint64_t frame, const std::string& format) {
   char text[32];
   std::snprintf(text, sizeof text, "frame_%06llu.", static_cast<unsigned long long>(frame));
   return text + format;
+}
+
+std::string solid_file(std::uint32_t id) {
+  return "solid_" + std::to_string(id + std::uint64_t{1}) + ".ply";
 }
 
 std::string folder_name(const std::string& title) {

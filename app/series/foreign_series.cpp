@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Particle files of other programs, which come without an index.
-#include "app/series/open_series.h"
+#include "app/series/foreign_series.h"
 
-#include "sim/files/read_particles.h"
+#include "app/series/drawable_rows.h"
 #include "sim/frame/errors.h"
 
 #include <algorithm>
@@ -45,7 +44,6 @@ bool natural_order(const std::string& a, const std::string& b) {
 /// The box around the particles of all files.
 struct Extent {
   std::array<double, 3> lo, hi;
-  std::size_t particles = 0; ///< of the first file
 
   Extent() {
     lo.fill(std::numeric_limits<double>::infinity());
@@ -60,6 +58,12 @@ struct Extent {
   }
 };
 
+std::string extension_of(const fs::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return extension;
+}
+
 /// Distance of neighbours: the volume of the cells of an even grid that hold particles, over their number. The cells
 /// are as large as to hold a few each, were the whole box filled.
 double mean_distance(const ParticleRows& rows, const Extent& box, int dim) {
@@ -69,11 +73,12 @@ double mean_distance(const ParticleRows& rows, const Extent& box, int dim) {
   const auto n = static_cast<double>(rows.size());
   const double h = std::pow(in_cell * volume / n, 1.0 / dim);
   if (!(h > 0)) return 0;
+  constexpr double most_cells = 1e9; // along a thin box
   std::vector<std::array<std::int64_t, 3>> cells;
   for (const auto& x : rows.x) {
     std::array<std::int64_t, 3> c{0, 0, 0};
     for (std::size_t a = 0; a < static_cast<std::size_t>(dim); ++a)
-      c[a] = static_cast<std::int64_t>((x[a] - box.lo[a]) / h);
+      c[a] = static_cast<std::int64_t>(std::min((x[a] - box.lo[a]) / h, most_cells));
     cells.push_back(c);
   }
   std::sort(cells.begin(), cells.end());
@@ -81,17 +86,40 @@ double mean_distance(const ParticleRows& rows, const Extent& box, int dim) {
   return std::pow(filled / n, 1.0 / dim) * h;
 }
 
+/// A domain around the box, never so small or thin that its picture would have no area.
+void surround(const ParticleRows& first, const Extent& box, SeriesVariant& v) {
+  constexpr double thinnest = 1.0 / 64, least_spacing = 1e-4, rounding = 1e-6, least = 1e-6;
+  constexpr double most_cells_along = 256; // they only decide the order of drawing
+  const auto dim = static_cast<std::size_t>(v.dim);
+  double longest = least;
+  for (std::size_t a = 0; a < dim; ++a)
+    longest =
+        std::max({longest, box.hi[a] - box.lo[a], rounding * std::abs(box.lo[a]), rounding * std::abs(box.hi[a])});
+  const double distance = mean_distance(first, box, v.dim);
+  v.particle_spacing = distance > 0 ? std::clamp(distance, least_spacing * longest, longest) : 0.01 * longest;
+  v.dx = std::max(2 * v.particle_spacing, longest / most_cells_along);
+  for (std::size_t a = 0; a < dim; ++a) {
+    v.size[a] = std::max(box.hi[a] - box.lo[a] + 2 * v.particle_spacing, thinnest * longest);
+    v.origin[a] = 0.5 * (box.lo[a] + box.hi[a] - v.size[a]);
+    v.cells[a] = static_cast<int>(std::ceil(v.size[a] / v.dx));
+  }
+}
+
 } // namespace
 
 std::vector<std::string> particle_files(const std::string& folder) {
   std::vector<std::string> files;
   std::set<std::string> kinds;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string kind = entry.path().extension().string();
-    if (std::find(extensions.begin(), extensions.end(), kind) == extensions.end() || !entry.is_regular_file()) continue;
-    files.push_back(entry.path().string());
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    const std::string kind = extension_of(at->path());
+    std::error_code none;
+    if (std::find(extensions.begin(), extensions.end(), kind) == extensions.end() || !at->is_regular_file(none))
+      continue;
+    files.push_back(at->path().string());
     kinds.insert(kind);
   }
+  if (error) throw UserError("cannot read the folder \"" + folder + "\": " + error.message());
   if (files.empty())
     throw UserError("there are no particles in \"" + folder + "\": neither " + series_index +
                     " nor files .csv, .tsv, .ply, .vtp or .txt");
@@ -104,25 +132,12 @@ std::vector<std::string> particle_files(const std::string& folder) {
 
 Series series_of_files(const std::vector<std::string>& files, double fps) {
   Extent box;
-  for (const std::string& file : files) box.add(read_particles(file));
-  const bool flat = box.lo[2] == 0 && box.hi[2] == 0;
+  for (const std::string& file : files) box.add(read_drawable(file, false));
   SeriesVariant v;
   v.title = "read from files";
-  v.dim = flat ? 2 : 3;
+  v.dim = box.lo[2] == 0 && box.hi[2] == 0 ? 2 : 3;
   v.single = false;
-  const ParticleRows first = read_particles(files.front());
-  const auto dim = static_cast<std::size_t>(v.dim);
-  double longest = 0;
-  for (std::size_t a = 0; a < dim; ++a) longest = std::max(longest, box.hi[a] - box.lo[a]);
-  const double distance = mean_distance(first, box, v.dim);
-  v.particle_spacing = distance > 0 ? distance : longest > 0 ? 0.01 * longest : 1;
-  constexpr double most_cells_along = 256; // they only decide in which order particles are drawn
-  v.dx = std::max(2 * v.particle_spacing, longest / most_cells_along);
-  for (std::size_t a = 0; a < dim; ++a) {
-    v.origin[a] = box.lo[a] - v.particle_spacing;
-    v.size[a] = box.hi[a] - box.lo[a] + 2 * v.particle_spacing;
-    v.cells[a] = static_cast<int>(std::ceil(v.size[a] / v.dx));
-  }
+  surround(read_drawable(files.front(), false), box, v);
   Series s;
   s.fps = fps;
   for (std::size_t k = 0; k < files.size(); ++k) s.times.push_back(static_cast<double>(k) / fps);
