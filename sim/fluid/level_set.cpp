@@ -16,7 +16,8 @@ public:
 
   [[nodiscard]] Real operator()(const Index<Dim>& cell, int reach, Real nearest) const {
     const Box<Dim> around{cell.array() - reach, cell.array() + reach + 1};
-    if (domain_.contains(around.lo) && domain_.contains(around.hi.array() - 1)) return inside(cell, around, nearest);
+    if (!crosses_periodic_side(around))
+      return inside(cell, {around.lo.cwiseMax(domain_.lo), around.hi.cwiseMin(domain_.hi)}, nearest);
     each_in(grid_, around, [&](const Index<Dim>& c, std::size_t) {
       const Index<Dim> home = walls_.image(c);
       if (!domain_.contains(home)) return;
@@ -27,7 +28,13 @@ public:
   }
 
 private:
-  /// Away from the sides the cells of a row are neighbours in memory: one run of particles for each row.
+  [[nodiscard]] bool crosses_periodic_side(const Box<Dim>& around) const {
+    for (int a = 0; a < Dim; ++a)
+      if (walls_.periodic(a) && (around.lo[a] < domain_.lo[a] || around.hi[a] > domain_.hi[a])) return true;
+    return false;
+  }
+
+  /// Away from periodic sides the cells of a row are neighbours in memory: one run of particles for each row.
   [[nodiscard]] Real inside(const Index<Dim>& cell, const Box<Dim>& around, Real nearest) const {
     Box<Dim> rows = around;
     rows.hi[0] = rows.lo[0] + 1;
@@ -74,8 +81,9 @@ void level_set(const Grid<Dim>& grid, const Walls<Dim, Real>& walls, const Parti
   const Real dx = static_cast<Real>(grid.dx), r = static_cast<Real>(radius);
   phi.resize(static_cast<std::size_t>(grid.size()));
   each_in(grid, cells_of(grid), pool, [&](const Index<Dim>& cell, std::size_t at) {
-    // A particle in the next cells but one is at least 3/2 dx away, so the near ones often settle it.
-    Real distance = nearest(cell, 1, Real(4));
+    // A particle in the next cells is at least 1/2 dx away, in the next but one 3/2 dx: the near ones often settle it.
+    Real distance = nearest(cell, 0, Real(4));
+    if (distance > Real(0.25)) distance = nearest(cell, 1, distance);
     if (distance > Real(2.25)) distance = nearest(cell, 2, distance);
     phi[at] = dx * std::sqrt(distance) - r;
   });
