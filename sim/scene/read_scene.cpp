@@ -42,7 +42,8 @@ void add_contents(const SceneText& text, Scene& scene, Mistakes& mistakes) {
     if (auto source = read_particle_source(entry, files, mistakes)) scene.particles.push_back(std::move(*source));
   });
   each_table(table, "obstacle", "obstacles", mistakes, [&](const Node& entry) {
-    if (auto obstacle = read_obstacle(entry, scene.domain(), files, mistakes)) scene.obstacles.push_back(std::move(*obstacle));
+    if (auto obstacle = read_obstacle(entry, scene.domain(), files, mistakes))
+      scene.obstacles.push_back(std::move(*obstacle));
   });
 }
 
