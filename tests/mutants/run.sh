@@ -3,9 +3,19 @@
 # in its first line catches it. A mutant that does not apply or build, or that the test does not notice, is an error; so is a
 # test that fails, or does not exist, without any mutant.
 #   tests/mutants/run.sh [--share K/N] [NAME...]        without names: all of them; --share: every N-th, from the K-th on
+#   tests/mutants/run.sh --apply                        only: does every patch still apply to the sources as they are?
 # A patch begins with:  Caught-by: <test program, without test_> <googletest filter>
 set -euo pipefail
 top=$(cd "$(dirname "$0")/../.." && pwd)
+if [ "${1:-}" = --apply ]; then
+  cd "$top"
+  rc=0
+  for p in tests/mutants/*.patch; do
+    patch -s -f -p1 --dry-run <"$p" >/dev/null || { echo "$p does not apply" >&2; rc=1; }
+  done
+  exit "$rc"
+fi
+
 . "$top/tests/mutants/scratch.sh"
 make_scratch "$top" # leaves us in the copy
 
