@@ -11,10 +11,16 @@
 namespace flipbook {
 
 /// What a particle remembers besides its velocity; decides how many numbers `A` holds (see sim/transfer/modes.h).
-enum class AffineMode { none, rigid, full };
+enum class AffineMode { none, rigid, full, polynomial };
 
 template <int Dim> [[nodiscard]] constexpr int affine_size(AffineMode mode) {
-  return mode == AffineMode::none ? 0 : mode == AffineMode::rigid ? spin<Dim> : Dim * Dim;
+  switch (mode) {
+  case AffineMode::none: return 0;
+  case AffineMode::rigid: return spin<Dim>;
+  case AffineMode::full: return Dim * Dim;
+  case AffineMode::polynomial: break;
+  }
+  return Dim * ((1 << Dim) - 1);
 }
 
 template <int Dim, class Real> struct Particles {
@@ -23,7 +29,8 @@ template <int Dim, class Real> struct Particles {
   std::vector<std::uint32_t> id;           ///< seeding order; never reused
   AffineMode mode = AffineMode::none;
   std::vector<std::vector<Real>>
-      A; ///< affine_size(mode) columns (1/s): rigid: omega; full: C row by row, C(a,b) = dv_a/dx_b
+      A; ///< affine_size(mode) columns (1/s): rigid: omega; full: C row by row, C(a,b) = dv_a/dx_b;
+         ///< polynomial: for each a the coefficients of x, y, xy(, z, xz, yz, xyz) in v_a (1/s, 1/(m s), ..)
 
   [[nodiscard]] std::size_t size() const { return id.size(); }
 

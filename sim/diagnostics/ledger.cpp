@@ -11,7 +11,8 @@ namespace {
 constexpr std::int64_t particles_per_chunk = 1 << 12;
 constexpr std::int64_t rows_per_chunk = 64;
 
-/// What a particle's affine mode adds to angular momentum and energy; momentum it has none.
+/// What a particle's affine mode adds to angular momentum and energy; momentum it has none. Products of axes carry
+/// energy only: m/2 c^2 prod D.
 template <int Dim, class Stencil, class Mode>
 void add_affine(const Stencil& stencil, const Mode& mode, double dx, double mass, Totals<Dim>& sum) {
   for (int a = 0; a < Dim; ++a)
@@ -20,6 +21,16 @@ void add_affine(const Stencil& stencil, const Mode& mode, double dx, double mass
       sum.kinetic_energy += mass / 2 * D * g * g;
       if (a != d) sum.angular_momentum[cross_axis<Dim>(d, a)] += mass * cross_sign<Dim>(d, a) * D * g;
     }
+  if constexpr (Mode::mode == AffineMode::polynomial)
+    for (int a = 0; a < Dim; ++a)
+      for (unsigned s = 3; s <= Mode::sets; ++s) {
+        if ((s & (s - 1)) == 0) continue;
+        const auto c = static_cast<double>(mode.coefficient(a, s));
+        double energy = mass / 2 * c * c;
+        for (int d = 0; d < Dim; ++d)
+          if ((s >> d & 1U) != 0) energy *= stencil.second_moment(a, d) * dx * dx;
+        sum.kinetic_energy += energy;
+      }
 }
 
 } // namespace

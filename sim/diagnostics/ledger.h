@@ -9,8 +9,9 @@
 //   angular    sum m_p (x_p x v_p + sum_a (D_a g_a) x e_a)             sum_a sum_i m_ai (x_ai x e_a) u_ai
 //   kinetic    sum m_p/2 (|v_p|^2 + sum_a g_a . D_a g_a)               sum_a sum_i m_ai u_ai^2 / 2
 //
+// PolyPIC adds sum m_p/2 c_as^2 prod_{d in s} D_ad to the energy for each product s of two or more axes.
 // On nodes the particles' angular momentum is the one that the tech report of APIC defines for RPIC and APIC. With
-// these definitions no transfer of PIC, RPIC or APIC increases the kinetic energy.
+// these definitions no transfer of PIC, RPIC, APIC or PolyPIC increases the kinetic energy.
 #pragma once
 
 #include "sim/core/field.h"

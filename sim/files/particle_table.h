@@ -3,6 +3,8 @@
 //   x y [z]  vx vy [vz]                  position (m) and velocity (m/s)
 //   omega_z | omega_x omega_y omega_z    schemes that keep a rotation (1/s)
 //   C_xx C_xy ... C_zz                   schemes that keep a matrix, C_ab = dv_a/dx_b (1/s)
+//   c_x_x c_x_y c_x_xy ... c_z_xyz       schemes that keep a multilinear velocity: coefficients of v_a (1/s, 1/(m s),
+//   ..)
 #pragma once
 
 #include <cstdint>

@@ -158,10 +158,29 @@ template <int Dim, class Real>
 void FluidSolver<Dim, Real>::grid_to_particles(double dt, const Components<Dim, Real>& u) {
   auto& s = state_;
   const auto& transfer = s.settings.transfer;
+  const Corner corner = transfer.corner();
   measured(u, [&] {
-    g2p(transfer.corner(), transfer.kernel, Layout::mac, s.grid, u, s.u_old, s.particles, pool_, &s.ballistic);
+    if (corner.order > 1) return gather_filtered(corner, u);
+    g2p(corner, transfer.kernel, Layout::mac, s.grid, u, s.u_old, s.particles, pool_, &s.ballistic);
   });
   accelerate_ballistic(s.settings.fluid.gravity, dt, s.ballistic, s.particles, pool_);
+}
+
+/// XPIC: the terms beyond the first ride on the velocity that is gathered.
+template <int Dim, class Real>
+void FluidSolver<Dim, Real>::gather_filtered(const Corner& corner, const Components<Dim, Real>& u) {
+  auto& s = state_;
+  const KernelName kernel = s.settings.transfer.kernel;
+  const auto fold = [&](Components<Dim, Real>& sums) { s.walls.fold(sums); };
+  const Components<Dim, Real>& terms =
+      xpic_(corner.order, kernel, Layout::mac, s.grid, s.particles, s.order, s.u_old, fold, pool_);
+  Components<Dim, Real> filtered = u;
+  for (std::size_t d = 0; d < Dim; ++d)
+    pool_.ranges(s.grid.size(), 1 << 15, [&](std::int64_t begin, std::int64_t end) {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+        filtered[d][i] += terms[d][i];
+    });
+  g2p(corner, kernel, Layout::mac, s.grid, filtered, s.u_old, s.particles, pool_, &s.ballistic);
 }
 
 template <int Dim, class Real> void FluidSolver<Dim, Real>::correct_particles() {

@@ -51,6 +51,7 @@ private:
   void add_gravity(double dt);
   void project(double dt, Field<double>& p);
   void grid_to_particles(double dt, const Components<Dim, Real>& u);
+  void gather_filtered(const Corner& corner, const Components<Dim, Real>& u);
   void correct_particles();
   void advect(double dt, const Components<Dim, Real>& u);
   void keep_apart();
@@ -67,8 +68,9 @@ private:
   Pool& pool_;
   FluidState<Dim, Real> state_;
   Projection<Dim, Real> projection_;
-  Components<Dim, Real> blend_;       ///< see combine
-  Components<Dim, Real> u_opening_;   ///< velocity at the start of a midpoint step
+  Components<Dim, Real> blend_;     ///< see combine
+  Components<Dim, Real> u_opening_; ///< velocity at the start of a midpoint step
+  XpicTerms<Dim, Real> xpic_;
   Components<Dim, Real> energies_;    ///< room for the ledger
   Field<double> correction_pressure_; ///< of the projection that opens a midpoint step
   double kinetic_before_ = 0, transfer_loss_ = 0;

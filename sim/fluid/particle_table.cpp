@@ -18,6 +18,13 @@ template <int Dim> std::vector<std::string> affine_names(AffineMode mode) {
   if (mode == AffineMode::full)
     for (std::size_t a = 0; a < Dim; ++a)
       for (std::size_t b = 0; b < Dim; ++b) names.push_back(std::string("C_") + axes[a] + axes[b]);
+  if (mode == AffineMode::polynomial)
+    for (std::size_t a = 0; a < Dim; ++a)
+      for (unsigned s = 1; s < 1U << Dim; ++s) {
+        names.push_back(std::string("c_") + axes[a] + "_");
+        for (std::size_t d = 0; d < Dim; ++d)
+          if ((s >> d & 1U) != 0) names.back() += axes[d];
+      }
   return names;
 }
 

@@ -16,6 +16,7 @@ struct Corner {
   double flip_ratio = 0; ///< in [0, 1]: 1 pure FLIP, 0 pure PIC
   double affine = 1;     ///< in [0, 1]: scales what the mode gathers
   bool skew = false;     ///< full mode: keep the antisymmetric part of C only
+  int order = 1;         ///< XPIC's m: terms of the filter that stands for v_p in FLIP's update; 1: none
 };
 
 /// How flip_ratio is described, in every scheme that has it.

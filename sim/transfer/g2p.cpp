@@ -28,14 +28,14 @@ template <class Mode, class K, int Dim, class Real> struct Gatherer {
   /// sum w u and its first sums for every component, from one stencil.
   using Fields = std::array<const Real*, Dim>;
   [[nodiscard]] static auto gather(const Walk<Dim, Real>& walk, const auto& stencil, const Fields& u) {
-    std::array<Gathered<Dim, Real>, Dim> sums;
+    std::array<decltype(stencil.gather(walk, 0, u[0])), Dim> sums;
     for (int a = 0; a < Dim; ++a)
       sums[static_cast<std::size_t>(a)] = stencil.gather(walk, a, u[static_cast<std::size_t>(a)]);
     return sums;
   }
 
   /// affine * (what the mode gathers).
-  [[nodiscard]] State affine_state(const auto& stencil, const std::array<Gathered<Dim, Real>, Dim>& sums) const {
+  [[nodiscard]] State affine_state(const auto& stencil, const auto& sums) const {
     Mode mode;
     mode.gather(stencil, sums, walk.inverse_dx);
     if constexpr (Mode::mode == AffineMode::full)

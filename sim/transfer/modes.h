@@ -6,6 +6,8 @@
 //   rigid   paints v_a + omega . (r x e_a)  omega = K^-1 L,  L = sum_a sum_i w_ai (r x e_a) u_ai,
 //                                                            K = sum_a sum_i w_ai (r x e_a)(r x e_a)^T
 //   full    paints v_a + c_a . r            c_a = sum_i D_a^-1 w_ai r u_ai      (c_a: row a of C)
+//   polynomial  paints v_a + sum_s c_as r^s     c_as = sum_i w_ai (D_a^-1 r)^s u_ai,   r^s = prod_{d in s} r_d
+//                                               over the non-empty sets s of axes: x, y, xy, z, ..
 //
 // On nodes, L and K are the angular momentum and the inertia tensor of the tech report of APIC, divided by m_p; on MAC
 // faces each component uses its own samples. K is diagonal in every case, because first moments of the weights vanish.
@@ -85,14 +87,39 @@ template <int Dim, class Real> struct FullMode {
   }
 };
 
+/// Remembers a multilinear velocity: the coefficients of r_x, r_y, r_x r_y, .. for each component. The products are
+/// orthogonal under w, because first moments of the weights vanish on every axis, so each coefficient is gathered
+/// alone.
+template <int Dim, class Real> struct PolynomialMode {
+  static constexpr AffineMode mode = AffineMode::polynomial;
+  static constexpr unsigned sets = (1U << Dim) - 1; ///< non-empty sets of axes
+  using Second = MultilinearWeights;
+  std::array<Real, Dim * sets> state{};
+
+  /// Of the product over the set s of axes, in v_a.
+  [[nodiscard]] Real coefficient(int a, unsigned s) const { return state[static_cast<std::size_t>(a) * sets + s - 1]; }
+  [[nodiscard]] Real slope(int a, int d) const { return coefficient(a, 1U << d); }
+
+  template <class Stencil>
+  void gather(const Stencil&, const std::array<GatheredProducts<Dim, Real>, Dim>& u, Real inverse_dx) {
+    for (std::size_t a = 0; a < Dim; ++a)
+      for (unsigned s = 1; s <= sets; ++s) {
+        Real c = u[a].products[s - 1];
+        for (unsigned rest = s; rest != 0; rest &= rest - 1) c *= inverse_dx;
+        state[a * sets + s - 1] = c;
+      }
+  }
+};
+
 /// body(Mode{}) for the mode of that name.
 template <int Dim, class Real, class Body> decltype(auto) with_mode(AffineMode mode, Body&& body) {
   switch (mode) {
   case AffineMode::none: return body(NoneMode<Dim, Real>{});
   case AffineMode::rigid: return body(RigidMode<Dim, Real>{});
-  case AffineMode::full: break;
+  case AffineMode::full: return body(FullMode<Dim, Real>{});
+  case AffineMode::polynomial: break;
   }
-  return body(FullMode<Dim, Real>{});
+  return body(PolynomialMode<Dim, Real>{});
 }
 
 } // namespace flipbook

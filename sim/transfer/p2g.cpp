@@ -28,9 +28,19 @@ template <class Mode, class K, int Dim, class Real> struct Scatter {
       const Mode mode{entries(A, p)};
       for (int a = 0; a < Dim; ++a) {
         const auto c = static_cast<std::size_t>(a);
-        std::array<Real, Dim> slope;
-        for (int d = 0; d < Dim; ++d) slope[static_cast<std::size_t>(d)] = mode.slope(a, d) * walk.dx;
-        stencil.scatter(walk, a, mass[p], v[c][p], slope, m[c], mu[c]);
+        if constexpr (Mode::mode == AffineMode::polynomial) {
+          std::array<Real, 1 << Dim> product;
+          product[0] = v[c][p];
+          for (unsigned s = 1; s < product.size(); ++s) {
+            product[s] = mode.coefficient(a, s);
+            for (unsigned rest = s; rest != 0; rest &= rest - 1) product[s] *= walk.dx;
+          }
+          stencil.scatter(walk, a, mass[p], product, m[c], mu[c]);
+        } else {
+          std::array<Real, Dim> slope;
+          for (int d = 0; d < Dim; ++d) slope[static_cast<std::size_t>(d)] = mode.slope(a, d) * walk.dx;
+          stencil.scatter(walk, a, mass[p], v[c][p], slope, m[c], mu[c]);
+        }
       }
     }
   }

@@ -11,7 +11,9 @@
 #include "sim/transfer/corner.h"
 #include "sim/transfer/flip.h"
 #include "sim/transfer/pic.h"
+#include "sim/transfer/polypic.h"
 #include "sim/transfer/rpic.h"
+#include "sim/transfer/xpic.h"
 
 #include <concepts>
 #include <optional>
@@ -32,7 +34,7 @@ concept Scheme = Described<S> && std::default_initializable<S> && requires(const
   // optional: static constexpr bool parameter_in_title: the title shows the first parameter even at its default
 };
 
-using Schemes = std::tuple<Pic, Flip, Rpic, Apic, Aflip>; ///< the list
+using Schemes = std::tuple<Pic, Flip, Rpic, Apic, Aflip, Polypic, Xpic>; ///< the list
 
 /// Where S stands in the list.
 template <class S>

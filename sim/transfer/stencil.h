@@ -8,6 +8,7 @@
 #include "sim/core/order.h"
 #include "sim/kernels/kernels.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <type_traits>
@@ -44,6 +45,8 @@ struct Slopes { ///< dN/df: the gradient of the interpolated field
 struct AffineWeights { ///< D^-1 N (i - f): the best affine fit
   template <class K, class Real> static constexpr auto weights(Real f) { return K::affine(f); }
 };
+struct MultilinearWeights : AffineWeights { ///< and the sums with g on several axes at once
+};
 struct MomentWeights { ///< N (i - f)
   template <class K, class Real> static constexpr auto weights(Real f) { return K::moment(f); }
 };
@@ -62,6 +65,12 @@ template <class K, class Real, class Second> struct AxisStencil {
 template <int Dim, class Real> struct Gathered {
   Real value = 0;
   std::array<Real, Dim> first{};
+};
+
+/// sum w u, and for each set s of axes (bit d: axis d) the same sum with g in place of N on all of them.
+template <int Dim, class Real> struct GatheredProducts {
+  Real value = 0;
+  std::array<Real, (1 << Dim) - 1> products{}; ///< of the set s at s - 1
 };
 
 /// A particle among the samples of every component. On axis d the lattice of component d has origin 0 and the lattices
@@ -86,8 +95,15 @@ public:
   }
 
   /// Sums over the samples of a component, whose field is u; the first sums only where there are second weights.
-  [[nodiscard]] Gathered<Dim, Real> gather(const Walk<Dim, Real>& walk, int component, const Real* u) const {
-    return gather_axis<Dim - 1, !std::is_same_v<Second, NoSecond>>(walk, component, u + first(walk, component));
+  [[nodiscard]] auto gather(const Walk<Dim, Real>& walk, int component, const Real* u) const {
+    if constexpr (std::is_same_v<Second, MultilinearWeights>) {
+      const auto sums = gather_products<Dim - 1>(walk, component, u + first(walk, component));
+      GatheredProducts<Dim, Real> result{sums[0], {}};
+      std::copy(sums.begin() + 1, sums.end(), result.products.begin());
+      return result;
+    } else {
+      return gather_axis<Dim - 1, !std::is_same_v<Second, NoSecond>>(walk, component, u + first(walk, component));
+    }
   }
   /// sum w u alone.
   [[nodiscard]] Real value(const Walk<Dim, Real>& walk, int component, const Real* u) const {
@@ -99,6 +115,12 @@ public:
                Real* m, Real* mu) const {
     const std::ptrdiff_t k = first(walk, component);
     scatter_axis<Dim - 1>(walk, component, mass, value, slope, m + k, mu + k);
+  }
+  /// m += w mass,  mu += w mass sum_s c_s prod_{d in s} (i - f)_d over the sets s of axes.
+  void scatter(const Walk<Dim, Real>& walk, int component, Real mass, const std::array<Real, 1 << Dim>& c, Real* m,
+               Real* mu) const {
+    const std::ptrdiff_t k = first(walk, component);
+    scatter_products<Dim - 1>(walk, component, mass, c, m + k, mu + k);
   }
 
 private:
@@ -137,6 +159,47 @@ private:
       } else {
         const std::ptrdiff_t k = static_cast<std::ptrdiff_t>(i) * walk.stride[D];
         scatter_axis<D - 1>(walk, component, wm, v, slope, m + k, mu + k);
+      }
+    }
+  }
+
+  /// Entry s: the sum with g on the axes of s, which are 0 .. D.
+  template <int D>
+  [[nodiscard]] std::array<Real, 2 << D> gather_products(const Walk<Dim, Real>& walk, int component,
+                                                         const Real* u) const {
+    constexpr std::size_t lower = 1U << D;
+    const Axis& s = axis(component, D);
+    std::array<Real, 2 * lower> sum{};
+    for (std::size_t i = 0; i < K::support; ++i) {
+      std::array<Real, lower> row;
+      if constexpr (D == 0)
+        row[0] = u[i];
+      else
+        row = gather_products<D - 1>(walk, component, u + static_cast<std::ptrdiff_t>(i) * walk.stride[D]);
+      for (std::size_t k = 0; k < lower; ++k) {
+        sum[k] += s.w[i] * row[k];
+        sum[k + lower] += s.g[i] * row[k];
+      }
+    }
+    return sum;
+  }
+
+  /// The polynomial in the axes 0 .. D; a sample of axis D makes it one in the axes below.
+  template <int D>
+  void scatter_products(const Walk<Dim, Real>& walk, int component, Real mass, const std::array<Real, 2 << D>& c,
+                        Real* m, Real* mu) const {
+    constexpr std::size_t lower = 1U << D;
+    const Axis& s = axis(component, D);
+    for (std::size_t i = 0; i < K::support; ++i) {
+      const Real wm = s.w[i] * mass, t = static_cast<Real>(i) - s.f;
+      std::array<Real, lower> rest;
+      for (std::size_t k = 0; k < lower; ++k) rest[k] = c[k] + t * c[k + lower];
+      if constexpr (D == 0) {
+        m[i] += wm;
+        mu[i] += wm * rest[0];
+      } else {
+        const std::ptrdiff_t k = static_cast<std::ptrdiff_t>(i) * walk.stride[D];
+        scatter_products<D - 1>(walk, component, wm, rest, m + k, mu + k);
       }
     }
   }

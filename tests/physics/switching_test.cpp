@@ -48,7 +48,7 @@ TEST(Switching, KeepsTheKineticEnergy) {
   auto flow = vortices(pic);
   flow.run_to(0.02, 0.005);
   double before = kinetic_energy(flow.state(), flow.pool);
-  for (const char* scheme : {"apic", "flip", "rpic", "aflip", "apic"}) {
+  for (const char* scheme : {"apic", "flip", "rpic", "aflip", "polypic", "xpic", "apic"}) {
     ASSERT_TRUE(flow.solver.set("transfer.scheme", std::string(scheme)).message.empty());
     flow.run_to(flow.solver.time() + 0.01, 0.005);
     const double after = kinetic_energy(flow.state(), flow.pool);

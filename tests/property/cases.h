@@ -44,6 +44,7 @@ inline const NamedCorner rpic_skew{"rpic skew", Rpic{.form = Rpic::Form::skew}.c
 inline const NamedCorner apic{"apic", Apic{}.corner()};
 inline const NamedCorner apic_half{"apic 0.5", Apic{.affine = 0.5}.corner()};
 inline const NamedCorner aflip{"aflip", Aflip{}.corner()};
+inline const NamedCorner polypic{"polypic", Polypic{}.corner()};
 
 /// body(corner, kernel, layout) with a trace of the names, for failures.
 template <class Body> void each_combination(std::initializer_list<NamedCorner> corners, Body&& body) {

@@ -34,6 +34,9 @@ TEST(Schemes, TitlesNameTheSchemeAndWhatDistinguishesIt) {
   EXPECT_EQ(with("apic").title(), "APIC");
   EXPECT_EQ(with("apic:0.5").title(), "APIC 0.5");
   EXPECT_EQ(with("aflip:0.99").title(), "AFLIP 0.99");
+  EXPECT_EQ(with("polypic").title(), "PolyPIC");
+  EXPECT_EQ(with("xpic").title(), "XPIC 5");
+  EXPECT_EQ(with("xpic:2").title(), "XPIC 2");
   auto t = with("rpic");
   EXPECT_EQ(set_parameter(t, "form", std::string("skew")).message, "");
   EXPECT_EQ(t.title(), "RPIC skew");
@@ -55,6 +58,10 @@ TEST(Schemes, EachIsItsCornerOfTheFamily) {
   EXPECT_EQ(with("aflip:0.99").corner().mode, AffineMode::full);
   EXPECT_EQ(with("aflip:0.99").corner().flip_ratio, 0.99);
   EXPECT_EQ(with("aflip:0.99").corner().affine, 1);
+  EXPECT_EQ(with("polypic:0.5").corner().mode, AffineMode::polynomial);
+  EXPECT_EQ(with("polypic:0.5").corner().affine, 0.5);
+  EXPECT_EQ(with("xpic:3").corner().mode, AffineMode::none);
+  EXPECT_EQ(with("xpic:3").corner().order, 3);
 }
 
 TEST(Schemes, ASharedPathBelongsToTheSchemeInUse) {

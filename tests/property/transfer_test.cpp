@@ -58,7 +58,7 @@ template <int Dim, class Real> struct Bench {
   }
 
 TYPED_TEST(TransferTest, MassAndMomentumAreConserved) {
-  each_combination({pic, flip, rpic, rpic_skew, apic, aflip}, [](const Corner& c, KernelName k, Layout l) {
+  each_combination({pic, flip, rpic, rpic_skew, apic, aflip, polypic}, [](const Corner& c, KernelName k, Layout l) {
     FLIPBOOK_BENCH(b, c, k, l);
     b.scatter();
     const auto before = b.on_particles(), grid = b.on_grid(b.u);
@@ -86,7 +86,8 @@ TYPED_TEST(TransferTest, EachComponentCarriesAllTheMass) {
 }
 
 TYPED_TEST(TransferTest, AngularMomentumIsConservedFromParticlesToGrid) {
-  each_combination({pic, flip, rpic, rpic_skew, apic, apic_half, aflip}, [](const Corner& c, KernelName k, Layout l) {
+  each_combination({pic, flip, rpic, rpic_skew, apic, apic_half, aflip, polypic}, [](const Corner& c, KernelName k,
+                                                                                     Layout l) {
     FLIPBOOK_BENCH(b, c, k, l);
     const auto before = b.on_particles();
     b.scatter();
@@ -95,8 +96,8 @@ TYPED_TEST(TransferTest, AngularMomentumIsConservedFromParticlesToGrid) {
   });
 }
 
-TYPED_TEST(TransferTest, AngularMomentumIsConservedFromGridToParticlesByRpicAndApic) {
-  each_combination({rpic, apic}, [](const Corner& c, KernelName k, Layout l) {
+TYPED_TEST(TransferTest, AngularMomentumIsConservedFromGridToParticlesByAffineSchemes) {
+  each_combination({rpic, apic, polypic}, [](const Corner& c, KernelName k, Layout l) {
     FLIPBOOK_BENCH(b, c, k, l);
     b.scatter();
     const auto next = b.trial.random_field(1);
@@ -107,7 +108,7 @@ TYPED_TEST(TransferTest, AngularMomentumIsConservedFromGridToParticlesByRpicAndA
 }
 
 TYPED_TEST(TransferTest, AConstantFieldIsReproducedAndLeavesNoAffineState) {
-  each_combination({pic, rpic, rpic_skew, apic, apic_half}, [](const Corner& c, KernelName k, Layout l) {
+  each_combination({pic, rpic, rpic_skew, apic, apic_half, polypic}, [](const Corner& c, KernelName k, Layout l) {
     FLIPBOOK_BENCH(b, c, k, l);
     auto field = b.u;
     for (std::size_t a = 0; a < field.size(); ++a)
@@ -122,18 +123,35 @@ TYPED_TEST(TransferTest, AConstantFieldIsReproducedAndLeavesNoAffineState) {
 
 TYPED_TEST(TransferTest, RigidAndAffineFieldsAreReproducedByTheModesThatHoldThem) {
   for (const bool rigid : {true, false})
-    each_combination({pic, rpic, rpic_skew, apic, apic_half}, [&](const Corner& c, KernelName k, Layout l) {
+    each_combination({pic, rpic, rpic_skew, apic, apic_half, polypic}, [&](const Corner& c, KernelName k, Layout l) {
       FLIPBOOK_BENCH(b, c, k, l);
       const auto field = b.trial.affine_field(l, rigid);
       b.gather(field, field);
       b.scatter();
-      const bool full = c.mode == AffineMode::full && !c.skew && c.affine == 1;
+      const bool full = (c.mode == AffineMode::full && !c.skew && c.affine == 1) || c.mode == AffineMode::polynomial;
       const bool keeps_spin = c.mode == AffineMode::rigid || c.skew;
       if (full || (rigid && keeps_spin))
         EXPECT_LT(b.distance(field), 10 * TypeParam::tolerance);
       else
         EXPECT_GT(b.distance(field), 1e-2);
     });
+}
+
+TYPED_TEST(TransferTest, WithTheLinearKernelPolypicLosesNothing) {
+  each_combination({apic, polypic}, [](const Corner& c, KernelName k, Layout l) {
+    if (k != KernelName::linear) return;
+    FLIPBOOK_BENCH(b, c, k, l);
+    const auto field = b.trial.random_field(6);
+    b.gather(field, field);
+    b.scatter();
+    if (c.mode != AffineMode::polynomial) {
+      EXPECT_GT(b.distance(field), 1e-2);
+      return;
+    }
+    EXPECT_LT(b.distance(field), 10 * TypeParam::tolerance);
+    EXPECT_NEAR(b.on_particles().kinetic_energy, b.on_grid(b.u).kinetic_energy,
+                10 * TypeParam::tolerance * b.on_grid(b.u).kinetic_energy);
+  });
 }
 
 TYPED_TEST(TransferTest, FlipWithAnIdleGridIsTheIdentity) {
@@ -167,7 +185,7 @@ TYPED_TEST(TransferTest, FlipRatioBlendsPicAndFlip) {
 }
 
 TYPED_TEST(TransferTest, KineticEnergyNeverGrowsInATransfer) {
-  each_combination({pic, rpic, apic, apic_half}, [](const Corner& c, KernelName k, Layout l) {
+  each_combination({pic, rpic, apic, apic_half, polypic}, [](const Corner& c, KernelName k, Layout l) {
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
       FLIPBOOK_BENCH(b, c, k, l, seed);
       const double before = b.on_particles().kinetic_energy;
@@ -185,7 +203,7 @@ TYPED_TEST(TransferTest, KineticEnergyNeverGrowsInATransfer) {
 }
 
 TYPED_TEST(TransferTest, AnIncrementAddsWhatPicAndItsModeWouldGather) {
-  each_combination({pic, flip, rpic, apic, apic_half, aflip}, [](const Corner& c, KernelName k, Layout l) {
+  each_combination({pic, flip, rpic, apic, apic_half, aflip, polypic}, [](const Corner& c, KernelName k, Layout l) {
     FLIPBOOK_BENCH(b, c, k, l);
     const auto before = b.particles();
     const auto change = b.trial.random_field(3);
@@ -205,7 +223,7 @@ TYPED_TEST(TransferTest, AnIncrementAddsWhatPicAndItsModeWouldGather) {
 }
 
 TYPED_TEST(TransferTest, GatherAffineIsTheAffinePartOfG2p) {
-  each_combination({rpic, rpic_skew, apic, apic_half}, [](const Corner& c, KernelName k, Layout l) {
+  each_combination({rpic, rpic_skew, apic, apic_half, polypic}, [](const Corner& c, KernelName k, Layout l) {
     FLIPBOOK_BENCH(b, c, k, l);
     FLIPBOOK_BENCH(whole, c, k, l);
     const auto v = b.particles().v;
@@ -238,7 +256,7 @@ TYPED_TEST(TransferTest, BallisticParticlesAreLeftAlone) {
 TYPED_TEST(TransferTest, ParticlesOnTheWallsReachOnlyThePads) {
   constexpr int Dim = TypeParam::dim;
   using Real = typename TypeParam::Real;
-  each_combination({apic}, [](const Corner& c, KernelName k, Layout l) {
+  each_combination({apic, polypic}, [](const Corner& c, KernelName k, Layout l) {
     FLIPBOOK_BENCH(b, c, k, l);
     for (std::size_t p = 0; p < b.particles().size(); ++p) {
       Vec<Dim, Real> x;

@@ -116,9 +116,10 @@ TEST(Study, SaysWhereAMistakeIs) {
       {"grid.cell = [8, 8]\n", "s.toml:2:6: unknown parameter \"grid.cell\"; did you mean \"grid.cells\"?"},
       {"[view]\ncolor = \"speed\"\n", "s.toml:3:1: unknown parameter \"view.color\"; did you mean \"view.colour\"?"},
       {"[output]\nfps = 0\n", "s.toml:3:1: output.fps must be a number from 1 to 240 (1/s), not 0"},
-      {"[[variant]]\ntransfer.scheme = \"flp\"\n", "s.toml:3:10: transfer.scheme must be one of \"pic\", \"flip\", "
-                                                   "\"rpic\", \"apic\", \"aflip\", not \"flp\"; did you "
-                                                   "mean \"flip\"?"},
+      {"[[variant]]\ntransfer.scheme = \"flp\"\n",
+       "s.toml:3:10: transfer.scheme must be one of \"pic\", \"flip\", "
+       "\"rpic\", \"apic\", \"aflip\", \"polypic\", \"xpic\", not \"flp\"; did you "
+       "mean \"flip\"?"},
       {"[[variant]]\ntransfer.flip_ratio = 2\n",
        "s.toml:3:10: transfer.flip_ratio must be a number from 0 to 1, not 2"},
       {"variant = []\n", "s.toml:2:1: a study has 1 to 12 variants, not 0"},
