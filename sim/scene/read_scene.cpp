@@ -15,7 +15,7 @@ namespace {
 
 const std::vector<std::string>& scene_keys() {
   static const std::vector<std::string> keys{"name", "summary",   "reference", "duration",
-                                             "body", "particles", "obstacle"};
+                                             "body", "particles", "obstacle",  "in_3d"};
   return keys;
 }
 
@@ -57,7 +57,7 @@ void check_all_rows(const Scene& scene, Mistakes& mistakes) {
   }
 }
 
-/// The parameters among the entries of the scene, those of the view apart.
+/// The parameters among the entries of a table, those of the view apart.
 std::vector<Assignment> parameters(const Node& table, Scene& scene, Mistakes& mistakes) {
   std::vector<Assignment> all, own;
   for (const Node& entry : table.items) {
@@ -70,6 +70,30 @@ std::vector<Assignment> parameters(const Node& table, Scene& scene, Mistakes& mi
     flatten(entry, entry.key, all, mistakes);
   }
   for (Assignment& a : all) (a.path.starts_with("view.") ? scene.view : own).push_back(std::move(a));
+  return own;
+}
+
+/// The last value of `dim` among the assignments.
+bool in_space(std::span<const Assignment> all) {
+  const auto dim = std::find_if(all.rbegin(), all.rend(), [](const Assignment& a) { return a.path == "dim"; });
+  return dim != all.rend() && dim->value == Value(3.0);
+}
+
+/// The scene's own parameters; in 3D what `[in_3d]` says comes after, and wins over the rest.
+std::vector<Assignment> own_parameters(const Node& table, std::span<const Assignment> changes, Scene& scene,
+                                       Mistakes& mistakes) {
+  std::vector<Assignment> own = parameters(table, scene, mistakes);
+  const Node* space = table.find("in_3d");
+  if (!space) return own;
+  if (space->type != Node::Type::table) {
+    mistakes.add("what differs in 3D is written as a table, [in_3d]", space->where);
+    return own;
+  }
+  std::vector<Assignment> all = own;
+  all.insert(all.end(), changes.begin(), changes.end());
+  if (!in_space(all)) return own;
+  const std::vector<Assignment> more = parameters(*space, scene, mistakes);
+  own.insert(own.end(), more.begin(), more.end());
   return own;
 }
 
@@ -131,7 +155,7 @@ Scene make_scene(const SceneText& text, std::span<const Assignment> changes, Mis
   scene.summary = reader.text("summary", "");
   scene.reference = reader.text("reference", "");
   scene.duration = reader.number("duration", 1e-6, 1e6, 2.0);
-  std::vector<Assignment> all = parameters(text.table, scene, mistakes);
+  std::vector<Assignment> all = own_parameters(text.table, changes, scene, mistakes);
   all.insert(all.end(), changes.begin(), changes.end());
   apply(scene.settings, all, mistakes);
   add_contents(text, scene, mistakes);

@@ -85,6 +85,7 @@ TEST(Cells, ManyOfThemAreAWarning) {
   const auto said = [](const std::string& scene, const std::string& dim) {
     app::Study study = app::study_of_scene(scene);
     app::assign(study, {"dim", parse_value(dim), {"--dim", 0, 0}});
+    app::assign(study, {"grid.cells", std::vector<double>{128, 128}, {"--cells", 0, 0}});
     study.variants.resize(4);
     return app::long_run(app::resolve(study));
   };
