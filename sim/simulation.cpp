@@ -5,6 +5,7 @@
 #include "sim/scene/preset.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/seeding.h"
+#include "sim/transfer_only/round_trips.h"
 #include "sim/tutorial/notes_input.h"
 #include "sim/tutorial/own_method.h"
 #include "sim/tutorial/tutorial_solver.h"
@@ -34,6 +35,12 @@ template <int Dim> std::unique_ptr<Simulation> make_fluid(const Scene& scene, Po
                                                        : make_fluid<Dim, double>(scene, pool);
 }
 
+/// `solver = "transfer"`
+template <int Dim> std::unique_ptr<Simulation> make_round_trips(const Scene& scene, Pool& pool) {
+  if (scene.settings.precision == Precision::single) return std::make_unique<RoundTrips<Dim, float>>(scene, pool);
+  return std::make_unique<RoundTrips<Dim, double>>(scene, pool);
+}
+
 /// `preset = "tutorial"`: the fluid notes' algorithm, or ours on their input for a scheme that they do not have.
 std::unique_ptr<Simulation> make_tutorial(const Scene& scene, Pool& pool) {
   if (runs_notes(scene.settings)) return std::make_unique<TutorialSolver>(scene, pool);
@@ -44,6 +51,8 @@ std::unique_ptr<Simulation> make_tutorial(const Scene& scene, Pool& pool) {
 
 void check_scene(const Scene& scene) {
   check(scene.settings);
+  if (scene.settings.solver == Solver::transfer && !scene.obstacles.empty())
+    throw UserError("solver = \"transfer\" has no obstacles, and the scene \"" + scene.name + "\" has some");
   if (scene.settings.preset != Preset::tutorial) return;
   refuse_what_the_notes_lack(scene);
   check_notes_particles(scene);
@@ -52,6 +61,8 @@ void check_scene(const Scene& scene) {
 std::unique_ptr<Simulation> make_simulation(const Scene& scene, Pool& pool) {
   check_scene(scene);
   if (scene.settings.preset == Preset::tutorial) return make_tutorial(scene, pool);
+  if (scene.settings.solver == Solver::transfer)
+    return scene.settings.dim == 2 ? make_round_trips<2>(scene, pool) : make_round_trips<3>(scene, pool);
   return scene.settings.dim == 2 ? make_fluid<2>(scene, pool) : make_fluid<3>(scene, pool);
 }
 

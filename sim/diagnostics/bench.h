@@ -6,6 +6,7 @@
 #include "sim/diagnostics/ledger.h"
 #include "sim/diagnostics/trial.h"
 #include "sim/transfer/transfer.h"
+#include "sim/transfer/xpic.h"
 
 #include <cmath>
 
@@ -43,7 +44,13 @@ template <int Dim, class Real> struct Bench {
     to_velocity(m, u, pool);
   }
   void gather(const Components<Dim, Real>& next) {
-    g2p(corner, kernel, layout, trial.grid, next, u, trial.particles, pool);
+    if (corner.order <= 1) return g2p(corner, kernel, layout, trial.grid, next, u, trial.particles, pool);
+    XpicTerms<Dim, Real> xpic; // its terms beyond the first ride on the velocity that is gathered
+    Components<Dim, Real> filtered = xpic(
+        corner.order, kernel, layout, trial.grid, trial.particles, trial.order, u, [](Components<Dim, Real>&) {}, pool);
+    for (std::size_t a = 0; a < Dim; ++a)
+      for (std::size_t k = 0; k < next[a].size(); ++k) filtered[a][k] += next[a][k];
+    g2p(corner, kernel, layout, trial.grid, filtered, u, trial.particles, pool);
   }
 
   /// Definitions 3.5 and 4.1 or 5.1: L_P = sum x_p x m v_p, plus what omega_p or C_p holds.

@@ -9,6 +9,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace flipbook {
 
@@ -20,6 +21,8 @@ enum class Check {
   to_grid,      ///< particles against the grid after P2G
   to_particles, ///< the grid against the particles after G2P, both moved along their velocities over a step dt
   round_trips,  ///< a field, `cycles` times G2P and P2G, dt = 0
+  rigid_trips,  ///< `round_trips` of a rigid field, whatever the scheme holds
+  affine_trips, ///< and of an affine one
   own_field,    ///< the grid against the particles after G2P, for a field that the scheme holds exactly; dt = 0
   cycles,       ///< the particles after `cycles` times P2G, a change of the grid or none, G2P, x_p += dt v_p, sorting
   plain_p2g,    ///< P2G against the report's equations, summed plainly (counterexamples.h)
@@ -40,14 +43,19 @@ struct Claim {
   Quantity quantity;
   Check check;
   int cycles = 1;
-  double floor = 0; ///< above 0: it must fail, by this much at least
+  double floor = 0;    ///< above 0: it must fail, by this much at least
+  bool graded = false; ///< nothing is claimed: whether it holds for this scheme is found out
 
-  [[nodiscard]] bool of_the_report() const { return floor == 0 && (id[0] == '4' || id[0] == '5'); }
+  [[nodiscard]] bool of_the_report() const { return floor == 0 && !graded && (id[0] == '4' || id[0] == '5'); }
   /// False where the entry says nothing: a fault that this kernel does not have.
   [[nodiscard]] bool applies(KernelName kernel) const;
 };
 
-/// All entries, in the order of the table that is printed.
+/// All entries, in the order of the table that is printed: what is claimed, what must fail, and a report card for every
+/// scheme of the list.
 [[nodiscard]] std::span<const Claim> claims();
+
+/// What can be asked of any scheme. `scheme` must outlive the claims.
+[[nodiscard]] std::vector<Claim> report_card(std::string_view scheme, const Corner& corner);
 
 } // namespace flipbook

@@ -20,6 +20,9 @@
 #include "sim/kernels/kernels.h"
 
 #include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace flipbook {
 
@@ -28,20 +31,30 @@ template <int Dim> struct Totals {
   Vec<Dim, double> momentum = Vec<Dim, double>::Zero();                     ///< kg m/s
   Vec<spin<Dim>, double> angular_momentum = Vec<spin<Dim>, double>::Zero(); ///< kg m^2/s about the origin asked for
   double kinetic_energy = 0;                                                ///< J
+  Vec<Dim, double> first_moment = Vec<Dim, double>::Zero();                 ///< kg m: sum m_p x_p; of particles only
 
   Totals& operator+=(const Totals& other);
 };
 
-/// `origin` is a point in the particles' coordinates (metres from the lower corner of the domain).
+/// `origin` is a point in the particles' coordinates (metres from the lower corner of the domain). With `only`, the
+/// particles that are marked there (one byte each).
 template <int Dim, class Real>
 [[nodiscard]] Totals<Dim> particle_totals(KernelName kernel, Layout layout, const Grid<Dim>& grid,
                                           const Particles<Dim, Real>& particles, const Vec<Dim, double>& origin,
-                                          Pool& pool);
+                                          Pool& pool, const std::vector<std::uint8_t>* only = nullptr);
 
-/// On a periodic axis only one period is counted; elsewhere the pads count as well.
+/// Where each row of samples along x has mass, found once for several sums over one distribution of mass.
+template <int Dim, class Real> struct Stretches {
+  std::array<std::vector<std::pair<int, int>>, Dim>
+      of; ///< for each component and row: the first sample, and one beyond
+  void find(const Grid<Dim>& grid, const Components<Dim, Real>& m, Pool& pool);
+};
+
+/// On a periodic axis only one period is counted; elsewhere the pads count as well. `stretches` must be those of m.
 template <int Dim, class Real>
 [[nodiscard]] Totals<Dim> grid_totals(Layout layout, const Grid<Dim>& grid, const Components<Dim, Real>& m,
                                       const Components<Dim, Real>& u, const Vec<Dim, double>& origin, Pool& pool,
-                                      const std::array<bool, static_cast<std::size_t>(Dim)>& periodic = {});
+                                      const std::array<bool, static_cast<std::size_t>(Dim)>& periodic = {},
+                                      const Stretches<Dim, Real>* stretches = nullptr);
 
 } // namespace flipbook

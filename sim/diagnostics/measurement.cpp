@@ -50,7 +50,9 @@ public:
   [[nodiscard]] double error() {
     switch (claim_.check) {
     case Check::to_grid: return to_grid();
-    case Check::round_trips: return round_trips();
+    case Check::round_trips: return round_trips(b_.corner.mode == AffineMode::rigid);
+    case Check::rigid_trips: return round_trips(true);
+    case Check::affine_trips: return round_trips(false);
     case Check::own_field: return own_field();
     case Check::plain_p2g: return plain_p2g();
     case Check::plain_g2p: return plain_g2p();
@@ -95,12 +97,8 @@ private:
     return moved.template cast<double>() - x.template cast<double>();
   }
 
-  [[nodiscard]] Components<Dim, Real> own() const {
-    return b_.trial.affine_field(b_.layout, b_.corner.mode == AffineMode::rigid);
-  }
-
-  [[nodiscard]] double round_trips() {
-    const Components<Dim, Real> field = own();
+  [[nodiscard]] double round_trips(bool rigid) {
+    const Components<Dim, Real> field = b_.trial.affine_field(b_.layout, rigid);
     b_.u = field;
     for (int n = 0; n < claim_.cycles; ++n) {
       b_.gather(b_.u);
@@ -110,7 +108,7 @@ private:
   }
 
   [[nodiscard]] double own_field() {
-    const Components<Dim, Real> field = own();
+    const auto field = b_.trial.affine_field(b_.layout, b_.corner.mode == AffineMode::rigid);
     b_.scatter(); // for the masses
     b_.gather(field);
     return std::abs(difference(Quantity::energy, b_.on_grid(field), b_.on_particles(), {}));

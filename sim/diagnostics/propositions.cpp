@@ -58,6 +58,7 @@ std::string scale_name(Quantity q) {
 }
 
 Standing standing_of(const Claim& c, Layout layout) {
+  if (c.graded) return Standing::graded;
   if (c.floor > 0) return Standing::must_fail;
   if (!c.of_the_report()) return Standing::ours;
   return layout == Layout::nodes ? Standing::proved : Standing::extension;
@@ -93,9 +94,9 @@ void set_bound(Case& c, double strictness) {
     r.reason += "; what a move changes in C_p D_p of the linear kernel is counted apart (it must fail, below)";
 }
 
-std::vector<Case> all_cases(double strictness) {
+std::vector<Case> all_cases(std::span<const Claim> of, double strictness) {
   std::vector<Case> all;
-  for (const Claim& claim : claims())
+  for (const Claim& claim : of)
     for (const Layout layout : {Layout::nodes, Layout::mac})
       for (std::size_t k = 0; k < kernel_options().size(); ++k)
         for (const int dim : {2, 3})
@@ -138,10 +139,15 @@ std::vector<std::string> words_of(const PropositionResult& r) {
     return w.size() < 3 || std::any_of(kernels.begin(), kernels.end(), [&](const Option& k) { return k.name == w; });
   });
   add_words(r.scheme, words);
-  for (const std::string& name : {r.id, r.kernel, r.layout, r.precision, std::to_string(r.dim) + "d"})
+  for (const std::string& name : {r.scheme, r.id, r.kernel, r.layout, r.precision, std::to_string(r.dim) + "d"})
     words.push_back(name);
   for (std::string& word : words) word = lower(word);
   return words;
+}
+
+/// "FLIP" of "FLIP 1".
+std::string first_word(const std::string& scheme) {
+  return scheme.substr(0, scheme.find(' '));
 }
 
 void keep_only(std::vector<Case>& cases, const std::vector<std::string>& only) {
@@ -161,10 +167,20 @@ void keep_only(std::vector<Case>& cases, const std::vector<std::string>& only) {
     if (!answers(vocabulary, lower(word)))
       mistakes.add("nothing to check is called \"" + word + "\"", {}, nearest_name(word, vocabulary));
   mistakes.raise();
+  std::vector<std::string> claimed; // schemes about which something is
+  for (const Case& c : cases)
+    if (!c.claim->graded) claimed.push_back(first_word(c.row.scheme));
   std::size_t i = 0;
   std::erase_if(cases, [&](const Case&) {
     const auto& mine = words[i++];
     return !std::all_of(only.begin(), only.end(), [&](const std::string& w) { return answers(mine, lower(w)); });
+  });
+  const auto graded = [](const Case& c) { return c.claim->graded; };
+  const bool asked = std::any_of(only.begin(), only.end(), [](const auto& w) { return lower(w) == "graded"; });
+  const bool others = !std::all_of(cases.begin(), cases.end(), graded);
+  std::erase_if(cases, [&](const Case& c) {
+    const bool known = std::find(claimed.begin(), claimed.end(), first_word(c.row.scheme)) != claimed.end();
+    return graded(c) && !asked && (others || known);
   });
   if (cases.empty()) throw UserError("no case answers to all of these words at once");
 }
@@ -182,6 +198,17 @@ double worst_error(const Case& c, std::uint64_t seed, Pool& pool) {
   return worst;
 }
 
+std::vector<PropositionResult> measured(std::vector<Case> cases, std::uint64_t seed, Pool& pool) {
+  pool.each(static_cast<int>(cases.size()), [&](int i) {
+    Case& c = cases[static_cast<std::size_t>(i)];
+    c.row.error = worst_error(c, seed, pool);
+    judge(c.row);
+  });
+  std::vector<PropositionResult> rows;
+  for (Case& c : cases) rows.push_back(std::move(c.row));
+  return rows;
+}
+
 } // namespace
 
 std::string to_string(Standing standing) {
@@ -189,6 +216,7 @@ std::string to_string(Standing standing) {
   case Standing::proved: return "proved";
   case Standing::extension: return "extension";
   case Standing::ours: return "ours";
+  case Standing::graded: return "graded";
   case Standing::must_fail: break;
   }
   return "must fail";
@@ -199,16 +227,14 @@ void judge(PropositionResult& r) {
 }
 
 std::vector<PropositionResult> run_propositions(const PropositionOptions& options, Pool& pool) {
-  std::vector<Case> cases = all_cases(options.strictness);
+  std::vector<Case> cases = all_cases(claims(), options.strictness);
   keep_only(cases, options.only);
-  pool.each(static_cast<int>(cases.size()), [&](int i) {
-    Case& c = cases[static_cast<std::size_t>(i)];
-    c.row.error = worst_error(c, options.seed, pool);
-    judge(c.row);
-  });
-  std::vector<PropositionResult> rows;
-  for (Case& c : cases) rows.push_back(std::move(c.row));
-  return rows;
+  return measured(std::move(cases), options.seed, pool);
+}
+
+std::vector<PropositionResult> grade(const std::string& scheme, const Corner& corner, std::uint64_t seed, Pool& pool) {
+  const std::vector<Claim> card = report_card(scheme, corner);
+  return measured(all_cases(card, 1), seed, pool);
 }
 
 } // namespace flipbook

@@ -13,6 +13,7 @@
 #pragma once
 
 #include "sim/core/parallel.h"
+#include "sim/transfer/corner.h"
 
 #include <cstdint>
 #include <string>
@@ -25,6 +26,7 @@ enum class Standing {
   extension, ///< the same on MAC faces: ours
   ours,      ///< what the report does not state
   must_fail,
+  graded, ///< nothing is claimed: it is found out
 };
 [[nodiscard]] std::string to_string(Standing standing);
 
@@ -51,7 +53,8 @@ void judge(PropositionResult& result);
 struct PropositionOptions {
   /// Keeps the cases that answer to every one of these words: the beginning of an id, of a name of scheme, kernel,
   /// layout, precision or dimension, or of a word of the statement, the quantity or the standing, as in {"5.5"} or
-  /// {"apic", "angular", "2d"}. Case does not matter. Empty: all.
+  /// {"apic", "angular", "2d"}. Case does not matter. Empty: all. Report cards are kept where "graded" is among the
+  /// words, and those of a scheme about which nothing is claimed where nothing else answers to them.
   std::vector<std::string> only;
   std::uint64_t seed = 1;
   double strictness = 1; ///< bounds are divided by it, floors multiplied
@@ -60,5 +63,9 @@ struct PropositionOptions {
 /// Every case that `only` keeps, in the order of the table. Throws UserError if that is none. The same for any number
 /// of threads.
 [[nodiscard]] std::vector<PropositionResult> run_propositions(const PropositionOptions& options, Pool& pool);
+
+/// The report card of any scheme, in the list or not.
+[[nodiscard]] std::vector<PropositionResult> grade(const std::string& scheme, const Corner& corner, std::uint64_t seed,
+                                                   Pool& pool);
 
 } // namespace flipbook

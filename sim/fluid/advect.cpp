@@ -28,21 +28,23 @@ Vec<Dim, Real> displacement(Advection method, const Velocity& velocity, const Wa
 } // namespace
 
 template <int Dim, class Real>
-void advect(Advection method, KernelName kernel, const Grid<Dim>& grid, const Walls<Dim, Real>& walls,
+bool advect(Advection method, KernelName kernel, const Grid<Dim>& grid, const Walls<Dim, Real>& walls,
             const Components<Dim, Real>& u, double dt, const std::vector<std::uint8_t>& ballistic,
             Particles<Dim, Real>& particles, Pool& pool) {
-  with_kernel(kernel, [&](auto k) {
+  return with_kernel(kernel, [&](auto k) {
     const Interpolator<decltype(k), Dim, Real> velocity(Layout::mac, grid, u);
-    pool.ranges(static_cast<std::int64_t>(particles.size()), grain, [&](std::int64_t begin, std::int64_t end) {
+    const auto move = [&](std::int64_t begin, std::int64_t end) {
+      unsigned walls_met = 0;
       const Real step = static_cast<Real>(dt);
       for (auto p = static_cast<std::size_t>(begin); p < static_cast<std::size_t>(end); ++p) {
         Vec<Dim, Real> x = particles.position(p), v = particles.velocity(p);
         if (!ballistic[p]) {
           x += displacement(method, velocity, walls, x, step);
-          walls.confine(x);
+          walls_met |= walls.confine(x);
         } else {
           x += step * v;
           const unsigned met = walls.confine(x);
+          walls_met |= met;
           for (int a = 0; a < Dim; ++a) {
             if (met >> (2 * a) & 1) v[a] = std::max(v[a], Real(0));
             if (met >> (2 * a + 1) & 1) v[a] = std::min(v[a], Real(0));
@@ -51,7 +53,9 @@ void advect(Advection method, KernelName kernel, const Grid<Dim>& grid, const Wa
         }
         particles.set_position(p, x);
       }
-    });
+      return walls_met != 0 ? 1 : 0;
+    };
+    return pool.sum(static_cast<std::int64_t>(particles.size()), grain, 0, move) > 0;
   });
 }
 
@@ -68,7 +72,7 @@ void accelerate_ballistic(const std::array<double, 3>& gravity, double dt, const
 }
 
 #define FLIPBOOK_ADVECT(Dim, Real)                                                                                     \
-  template void advect(Advection, KernelName, const Grid<Dim>&, const Walls<Dim, Real>&, const Components<Dim, Real>&, \
+  template bool advect(Advection, KernelName, const Grid<Dim>&, const Walls<Dim, Real>&, const Components<Dim, Real>&, \
                        double, const std::vector<std::uint8_t>&, Particles<Dim, Real>&, Pool&);                        \
   template void accelerate_ballistic(const std::array<double, 3>&, double, const std::vector<std::uint8_t>&,           \
                                      Particles<Dim, Real>&, Pool&);

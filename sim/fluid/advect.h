@@ -13,8 +13,9 @@
 
 namespace flipbook {
 
+/// Returns whether a particle met a wall.
 template <int Dim, class Real>
-void advect(Advection method, KernelName kernel, const Grid<Dim>& grid, const Walls<Dim, Real>& walls,
+bool advect(Advection method, KernelName kernel, const Grid<Dim>& grid, const Walls<Dim, Real>& walls,
             const Components<Dim, Real>& u, double dt, const std::vector<std::uint8_t>& ballistic,
             Particles<Dim, Real>& particles, Pool& pool);
 

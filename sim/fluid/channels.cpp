@@ -87,28 +87,6 @@ template <int Dim, class Real> std::vector<float> pressure(const FluidState<Dim,
   });
 }
 
-/// |v_p - u(x_p)|, where u is what P2G would leave on the grid now: what a particle's velocity holds that the grid
-/// cannot see. (The grid of the last step belongs to where the particles were before they moved.)
-template <int Dim, class Real> std::vector<float> noise(const FluidState<Dim, Real>& s, Pool& pool) {
-  const KernelName kernel = s.settings.transfer.kernel;
-  Particles<Dim, Real> sorted = s.particles;
-  CellOrder<Dim> order;
-  sort_by_cell(sorted, s.grid, order, pool);
-  Components<Dim, Real> mass, velocity;
-  mass.resize(s.grid);
-  velocity.resize(s.grid);
-  p2g(s.settings.transfer.corner(), kernel, Layout::mac, s.grid, sorted, order, mass, velocity, pool);
-  s.walls.fold(mass);
-  s.walls.fold(velocity);
-  to_velocity(mass, velocity, pool);
-  return with_kernel(kernel, [&](auto k) {
-    const Interpolator<decltype(k), Dim, Real> u(Layout::mac, s.grid, velocity);
-    return for_each_particle(s.particles.size(), pool, [&](std::size_t p) {
-      return (s.particles.velocity(p) - u(s.particles.position(p))).norm();
-    });
-  });
-}
-
 template <int Dim, class Real> struct List {
   using State = FluidState<Dim, Real>;
   using Initial = std::vector<std::array<float, 3>>;
@@ -137,7 +115,7 @@ template <int Dim, class Real> struct List {
          [](const State& s, const Initial&, Pool& pool) {
            return for_each_particle(s.particles.size(), pool, [&](std::size_t p) { return s.particles.id[p]; });
          }},
-        {"noise", "m/s", false, [](const State& s, const Initial&, Pool& pool) { return noise(s, pool); }},
+        {"noise", "m/s", false, [](const State& s, const Initial&, Pool& pool) { return noise_of(s, pool); }},
     };
     if constexpr (Dim == 3) list.push_back({"velocity_z", "m/s", true, velocity<2>});
     if constexpr (Dim == 3) list.push_back({"initial_z", "m", false, started_at<2>});
@@ -162,6 +140,26 @@ LatticeData lattice(const Grid<Dim>& grid, const Box<Dim>& box, std::string name
 
 } // namespace
 
+template <int Dim, class Real> std::vector<float> noise_of(const FluidState<Dim, Real>& s, Pool& pool) {
+  const KernelName kernel = s.settings.transfer.kernel;
+  Particles<Dim, Real> sorted = s.particles;
+  CellOrder<Dim> order;
+  sort_by_cell(sorted, s.grid, order, pool);
+  Components<Dim, Real> mass, velocity;
+  mass.resize(s.grid);
+  velocity.resize(s.grid);
+  p2g(s.settings.transfer.corner(), kernel, Layout::mac, s.grid, sorted, order, mass, velocity, pool);
+  s.walls.fold(mass);
+  s.walls.fold(velocity);
+  to_velocity(mass, velocity, pool);
+  return with_kernel(kernel, [&](auto k) {
+    const Interpolator<decltype(k), Dim, Real> u(Layout::mac, s.grid, velocity);
+    return for_each_particle(s.particles.size(), pool, [&](std::size_t p) {
+      return (s.particles.velocity(p) - u(s.particles.position(p))).norm();
+    });
+  });
+}
+
 template <int Dim, class Real> std::span<const ChannelSource<Dim, Real>> channel_sources() {
   return List<Dim, Real>::channels;
 }
@@ -181,6 +179,7 @@ std::vector<LatticeData> lattices(const FluidState<Dim, Real>& s, const FrameReq
 
 #define FLIPBOOK_CHANNELS(Dim, Real)                                                                                   \
   template std::span<const ChannelSource<Dim, Real>> channel_sources<Dim, Real>();                                     \
+  template std::vector<float> noise_of(const FluidState<Dim, Real>&, Pool&);                                           \
   template std::vector<LatticeData> lattices(const FluidState<Dim, Real>&, const FrameRequest&);
 FLIPBOOK_CHANNELS(2, float)
 FLIPBOOK_CHANNELS(2, double)

@@ -21,6 +21,12 @@ template <int Dim, class Real> struct ChannelSource {
 /// The list. `initial` holds the seeded position of each id.
 template <int Dim, class Real> [[nodiscard]] std::span<const ChannelSource<Dim, Real>> channel_sources();
 
+/// |v_p - u(x_p)| of each particle, where u is what P2G would leave on the grid now: what a particle's velocity holds
+/// that the grid cannot see. (The grid of the last step belongs to where the particles were before they moved.) All
+/// particles take part, ballistic ones as well: alone in the air they have no noise.
+template <int Dim, class Real>
+[[nodiscard]] std::vector<float> noise_of(const FluidState<Dim, Real>& state, Pool& pool);
+
 /// The lattices that a request asks for.
 template <int Dim, class Real>
 [[nodiscard]] std::vector<LatticeData> lattices(const FluidState<Dim, Real>& state, const FrameRequest& request);

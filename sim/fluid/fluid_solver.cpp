@@ -2,7 +2,6 @@
 #include "sim/fluid/fluid_solver.h"
 
 #include "sim/fluid/advect.h"
-#include "sim/fluid/energy.h"
 #include "sim/fluid/level_set.h"
 #include "sim/fluid/spacing.h"
 #include "sim/transfer/transfer.h"
@@ -16,7 +15,7 @@ namespace flipbook {
 
 template <int Dim, class Real>
 FluidSolver<Dim, Real>::FluidSolver(const Settings& settings, Particles<Dim, Real> particles, Pool& pool,
-                                    std::vector<Obstacle> obstacles)
+                                    std::vector<Obstacle> obstacles, std::unique_ptr<StageHook<Dim, Real>> hook)
     : pool_(pool), state_(settings, grid_of<Dim>(settings), std::move(particles), std::move(obstacles)),
       recorder_(state_.particles) {
   check_finite();
@@ -25,6 +24,8 @@ FluidSolver<Dim, Real>::FluidSolver(const Settings& settings, Particles<Dim, Rea
   find_liquid();
   particles_to_grid();
   gather_affine_state();
+  if (settings.ledger.on) ledger_.emplace(state_, pool_);
+  hook_ = std::move(hook); // the start is always right
 }
 
 template <int Dim, class Real> std::vector<Parameter> FluidSolver<Dim, Real>::parameters() const {
@@ -38,9 +39,13 @@ template <int Dim, class Real> Refusal FluidSolver<Dim, Real>::set(std::string_v
   Settings next = state_.settings;
   if (Refusal r = set_parameter(next, path, value); !r.message.empty()) return r;
   if (const auto conflict = next.conflict(); !conflict.message.empty()) return {conflict.message, ""};
-  const TransferSettings before = std::exchange(state_.settings, next).transfer;
-  if (next.transfer.corner().mode != before.corner().mode || next.transfer.kernel != before.kernel)
+  const Settings before = std::exchange(state_.settings, next);
+  if (next.transfer.corner().mode != before.transfer.corner().mode || next.transfer.kernel != before.transfer.kernel) {
     gather_affine_state();
+    if (ledger_) ledger_->rebook(Stage::g2p, state_, pool_);
+  } else if (ledger_ && next.fluid.gravity != before.fluid.gravity) {
+    ledger_->rebook(Stage::forces, state_, pool_); // another potential
+  }
   return {};
 }
 
@@ -55,57 +60,85 @@ template <int Dim, class Real> void FluidSolver<Dim, Real>::gather_affine_state(
 // === The step
 
 template <int Dim, class Real> void FluidSolver<Dim, Real>::step(double dt) {
-  if (state_.settings.time.splitting == Splitting::midpoint)
-    midpoint(dt);
-  else
-    lie(dt);
+  if (ledger_) ledger_->begin_step(dt);
+  switch (state_.settings.time.splitting) {
+  case Splitting::lie: lie(dt); break;
+  case Splitting::midpoint: midpoint(dt); break;
+  case Splitting::reflection: reflection(dt); break;
+  }
   keep_apart();
   state_.time += dt;
   state_.last_dt = dt;
   ++state_.steps;
   check_finite();
+  if (ledger_) ledger_->end_step(state_);
 }
 
 template <int Dim, class Real> void FluidSolver<Dim, Real>::lie(double dt) {
   const double t = state_.time;
   state_.solids.give_velocity(t, t + dt, state_.walls, pool_);
-  find_liquid();                   // where phi < 0
-  particles_to_grid();             // u_i = sum_p w m (v_p + A_p (x_i - x_p)) / m_i,  u_old = u
-  add_gravity(dt);                 // u <- u + dt g
-  project(dt, state_.p);           // div u = 0
-  grid_to_particles(dt, state_.u); // v, A by the scheme
-  advect(dt, state_.u);            // dx/dt = u
-  place_solids(t + dt);
+  find_liquid();               // where phi < 0
+  particles_to_grid();         // u_i = sum_p w m (v_p + A_p (x_i - x_p)) / m_i,  u_old = u
+  add_gravity(dt);             // u <- u + dt g
+  project(dt, state_.p);       // div u = 0
+  grid_to_particles(state_.u); // v, A by the scheme
+  advect(dt, state_.u, t);     // dx/dt = u
 }
 
 /// Second order: half of the motion, the forces as a reflection about the middle, the other half. The projection that
-/// opens the step removes the divergence that the last motion left, as a correction of the particles: it costs no
-/// blending.
+/// opens the step removes the divergence that the last motion left.
 template <int Dim, class Real> void FluidSolver<Dim, Real>::midpoint(double dt) {
-  const double t = state_.time;
-  state_.solids.give_velocity(t, t + dt / 2, state_.walls, pool_);
-  find_liquid();
-  particles_to_grid();
-  project(dt, correction_pressure_);
-  correct_particles();   // v <- v + S (u - u_old)
+  const double t = state_.time, middle = t + dt / 2;
+  state_.solids.give_velocity(t, middle, state_.walls, pool_);
+  remove_divergence(dt); // v <- v + S (u - u_old)
   u_opening_ = state_.u; // at the start of the step
-  advect(dt / 2, u_opening_);
-  place_solids(t + dt / 2);
+  advect(dt / 2, u_opening_, t);
 
   state_.solids.give_velocity(t, t + dt, state_.walls, pool_);
   find_liquid();
   particles_to_grid();
   add_gravity(dt / 2);
   project(dt / 2, state_.p); // u in the middle
-  combine(2, -1, state_.u_old);
-  state_.walls.pad(blend_);
-  grid_to_particles(dt, blend_); // from u_old to u_old + 2 (u - u_old)
-  combine(2, -1, u_opening_);    // 2 u - u_opening, the velocity at the end
-  advect(dt / 2, blend_);
-  place_solids(t + dt);
+  reflect(dt / 2);           // blend = 2 u - u_old
+  grid_to_particles(blend_);
+  combine(2, -1, u_opening_); // the velocity at the end
+  advect(dt / 2, blend_, middle);
+}
+
+/// Advection-reflection [Zehnder, Narain, Thomaszewski 2018]: half of the motion along what closed the last step, the
+/// forces as a reflection, half of the motion along the velocity reflected about, and a projection to close.
+template <int Dim, class Real> void FluidSolver<Dim, Real>::reflection(double dt) {
+  const double t = state_.time, middle = t + dt / 2;
+  if (state_.steps == 0) {
+    state_.solids.give_velocity(t, middle, state_.walls, pool_);
+    remove_divergence(dt);
+  }
+  advect(dt / 2, state_.u, t);
+
+  state_.solids.give_velocity(middle, t + dt, state_.walls, pool_);
+  find_liquid();
+  particles_to_grid();
+  add_gravity(dt / 2);
+  project(dt / 2, state_.p);
+  reflect(dt / 2);
+  grid_to_particles(blend_);
+  advect(dt / 2, state_.u, middle);
+
+  state_.solids.give_velocity(t + dt, t + 1.5 * dt, state_.walls, pool_);
+  remove_divergence(dt);
 }
 
 // === Its parts
+
+/// A stage may come more than once in a step.
+template <int Dim, class Real>
+template <class Body>
+void FluidSolver<Dim, Real>::during(Stage stage, Body&& body, Gather gather) {
+  if (hook_) hook_->entered(stage, state_);
+  body();
+  if (hook_) hook_->leaving(stage, state_);
+  if (ledger_) ledger_->left(stage, state_, stage == Stage::second_half ? blend_ : state_.u, gather, pool_);
+}
 
 template <int Dim, class Real> void FluidSolver<Dim, Real>::find_liquid() {
   auto& s = state_;
@@ -121,49 +154,71 @@ template <int Dim, class Real> void FluidSolver<Dim, Real>::find_liquid() {
 
 template <int Dim, class Real> void FluidSolver<Dim, Real>::particles_to_grid() {
   auto& s = state_;
-  const auto& transfer = s.settings.transfer;
-  if (s.settings.ledger.on) kinetic_before_ = kinetic_energy(s, pool_);
-  p2g(transfer.corner(), transfer.kernel, Layout::mac, s.grid, s.particles, s.order, s.m, s.u, pool_);
-  s.walls.fold(s.m);
-  s.walls.fold(s.u);
-  to_velocity(s.m, s.u, pool_);
-  extrapolate_over_air(true, s.u);
-  s.walls.pad_slip(s.u);
+  during(Stage::p2g, [&] {
+    const auto& transfer = s.settings.transfer;
+    p2g(transfer.corner(), transfer.kernel, Layout::mac, s.grid, s.particles, s.order, s.m, s.u, pool_, &s.ballistic);
+    s.walls.fold(s.m);
+    s.walls.fold(s.u);
+    to_velocity(s.m, s.u, pool_);
+  });
+  during(Stage::free_faces, [&] {
+    extrapolate_over_air(true, s.u);
+    s.walls.pad_slip(s.u);
+  });
   s.u_old = s.u;
 }
 
 template <int Dim, class Real> void FluidSolver<Dim, Real>::add_gravity(double dt) {
-  for (std::size_t a = 0; a < Dim; ++a) {
-    const Real du = static_cast<Real>(dt * state_.settings.fluid.gravity[a]);
-    if (du != 0)
-      for (Real& u : state_.u[a]) u += du;
-  }
+  auto& s = state_;
+  during(Stage::forces, [&] {
+    for (std::size_t a = 0; a < Dim; ++a) {
+      const Real du = static_cast<Real>(dt * s.settings.fluid.gravity[a]);
+      if (du != 0)
+        for (Real& u : s.u[a]) u += du;
+    }
+    accelerate_ballistic(s.settings.fluid.gravity, dt, s.ballistic, s.particles, pool_);
+  });
 }
 
 template <int Dim, class Real> void FluidSolver<Dim, Real>::project(double dt, Field<double>& p) {
   auto& s = state_;
-  s.walls.close(s.u, pool_);
+  during(Stage::walls, [&] { s.walls.close(s.u, pool_); });
   s.solids.before_projection(s.u);
-  s.solve = projection_(s.grid, s.walls, s.cells, s.settings.pressure, s.settings.fluid.density, dt, s.u, p, pool_);
-  s.solids.carry_change(s.walls, s.cells, s.m, s.u, pool_);
-  extrapolate_over_air(false, s.u);
-  s.walls.close(s.u, pool_);
-  s.walls.pad(s.u);
+  during(Stage::projection, [&] {
+    s.solve = projection_(s.grid, s.walls, s.cells, s.settings.pressure, s.settings.fluid.density, dt, s.u, p, pool_);
+  });
+  during(Stage::extrapolation, [&] {
+    s.solids.carry_change(s.walls, s.cells, s.m, s.u, pool_);
+    extrapolate_over_air(false, s.u);
+    s.walls.close(s.u, pool_);
+    s.walls.pad_slip(s.u);
+  });
+  if (s.walls.friction()) during(Stage::walls, [&] { s.walls.pad(s.u); });
   if (s.solids.none()) return;
-  s.solids.constrain(s.walls, s.u, pool_);
-  s.walls.pad(s.u);
+  during(Stage::extrapolation, [&] {
+    s.solids.constrain(s.walls, s.u, pool_);
+    s.walls.pad(s.u);
+  });
 }
 
-template <int Dim, class Real>
-void FluidSolver<Dim, Real>::grid_to_particles(double dt, const Components<Dim, Real>& u) {
+/// The change of the grid a second time, and that of the particles that are not on it: blend = u_old + 2 (u - u_old).
+template <int Dim, class Real> void FluidSolver<Dim, Real>::reflect(double dt) {
+  auto& s = state_;
+  during(Stage::second_half, [&] {
+    combine(2, -1, s.u_old);
+    s.walls.pad(blend_);
+    accelerate_ballistic(s.settings.fluid.gravity, dt, s.ballistic, s.particles, pool_);
+  });
+}
+
+template <int Dim, class Real> void FluidSolver<Dim, Real>::grid_to_particles(const Components<Dim, Real>& u) {
   auto& s = state_;
   const auto& transfer = s.settings.transfer;
   const Corner corner = transfer.corner();
-  measured(u, [&] {
+  during(Stage::g2p, [&] {
     if (corner.order > 1) return gather_filtered(corner, u);
     g2p(corner, transfer.kernel, Layout::mac, s.grid, u, s.u_old, s.particles, pool_, &s.ballistic);
   });
-  accelerate_ballistic(s.settings.fluid.gravity, dt, s.ballistic, s.particles, pool_);
 }
 
 /// XPIC: the terms beyond the first ride on the velocity that is gathered.
@@ -173,7 +228,7 @@ void FluidSolver<Dim, Real>::gather_filtered(const Corner& corner, const Compone
   const KernelName kernel = s.settings.transfer.kernel;
   const auto fold = [&](Components<Dim, Real>& sums) { s.walls.fold(sums); };
   const Components<Dim, Real>& terms =
-      xpic_(corner.order, kernel, Layout::mac, s.grid, s.particles, s.order, s.u_old, fold, pool_);
+      xpic_(corner.order, kernel, Layout::mac, s.grid, s.particles, s.order, s.u_old, fold, pool_, &s.ballistic);
   Components<Dim, Real> filtered = u;
   for (std::size_t d = 0; d < Dim; ++d)
     pool_.ranges(s.grid.size(), 1 << 15, [&](std::int64_t begin, std::int64_t end) {
@@ -183,13 +238,18 @@ void FluidSolver<Dim, Real>::gather_filtered(const Corner& corner, const Compone
   g2p(corner, kernel, Layout::mac, s.grid, filtered, s.u_old, s.particles, pool_, &s.ballistic);
 }
 
-template <int Dim, class Real> void FluidSolver<Dim, Real>::correct_particles() {
+/// A projection at the particles' places, handed to them as a correction: it costs no blending.
+template <int Dim, class Real> void FluidSolver<Dim, Real>::remove_divergence(double dt) {
   auto& s = state_;
   const auto& transfer = s.settings.transfer;
-  combine(1, -1, s.u_old);
-  measured(s.u, [&] {
+  find_liquid();
+  particles_to_grid();
+  project(dt, correction_pressure_);
+  const auto hand_over = [&] {
+    combine(1, -1, s.u_old);
     g2p_increment(transfer.corner(), transfer.kernel, Layout::mac, s.grid, blend_, s.particles, pool_, &s.ballistic);
-  });
+  };
+  during(Stage::g2p, hand_over, Gather::increment);
 }
 
 template <int Dim, class Real>
@@ -202,19 +262,28 @@ void FluidSolver<Dim, Real>::combine(Real a, Real b, const Components<Dim, Real>
     });
 }
 
-template <int Dim, class Real> void FluidSolver<Dim, Real>::advect(double dt, const Components<Dim, Real>& u) {
+/// From time t on; the obstacles follow.
+template <int Dim, class Real>
+void FluidSolver<Dim, Real>::advect(double dt, const Components<Dim, Real>& u, double t) {
   auto& s = state_;
-  flipbook::advect(s.settings.time.advection, s.settings.transfer.kernel, s.grid, s.walls, u, dt, s.ballistic,
-                   s.particles, pool_);
+  during(Stage::advection, [&] {
+    const bool met_wall = flipbook::advect(s.settings.time.advection, s.settings.transfer.kernel, s.grid, s.walls, u,
+                                           dt, s.ballistic, s.particles, pool_);
+    if (ledger_) ledger_->met_wall(met_wall);
+    place_solids(t + dt);
+  });
 }
 
+/// In a new order of the particles, where nobody knows which were ballistic: none loses velocity.
 template <int Dim, class Real> void FluidSolver<Dim, Real>::keep_apart() {
   auto& s = state_;
   const double strength = s.settings.fluid.spacing;
   if (strength == 0) return;
-  sort_by_cell(s.particles, s.grid, s.order, pool_);
-  correct_spacing(strength, s.grid.dx / s.settings.seeding.per_axis, s.grid, s.walls, s.order, s.particles, pool_);
-  s.solids.push_out(s.walls, s.ballistic, s.particles, pool_);
+  during(Stage::spacing, [&] {
+    sort_by_cell(s.particles, s.grid, s.order, pool_);
+    correct_spacing(strength, s.grid.dx / s.settings.seeding.per_axis, s.grid, s.walls, s.order, s.particles, pool_);
+    s.solids.push_out(s.walls, {}, s.particles, pool_);
+  });
 }
 
 template <int Dim, class Real> void FluidSolver<Dim, Real>::place_solids(double t) {
@@ -241,58 +310,6 @@ void FluidSolver<Dim, Real>::extrapolate_over_air(bool massless_too, Components<
   // A particle may cross cfl cells within a step, and a cubic stencil reaches two cells beyond its own.
   const int layers = 2 + std::max(1, static_cast<int>(std::ceil(s.settings.time.cfl)));
   extrapolate(s.grid, s.walls, std::move(known), layers, u, pool_);
-}
-
-template <int Dim, class Real>
-template <class Transfer>
-void FluidSolver<Dim, Real>::measured(const Components<Dim, Real>& u, Transfer&& transfer) {
-  if (!state_.settings.ledger.on) return transfer();
-  const double gain = grid_gain(state_, u, energies_, pool_);
-  transfer();
-  transfer_loss_ += kinetic_before_ - kinetic_energy(state_, pool_) + gain;
-}
-
-// === Bounds and checks
-
-template <int Dim, class Real> double FluidSolver<Dim, Real>::max_dt() const {
-  const auto& s = state_;
-  const auto count = static_cast<std::int64_t>(s.particles.size());
-  constexpr std::int64_t grain = 8192;
-  std::vector<double> fastest(static_cast<std::size_t>((count + grain - 1) / grain), 0.0);
-  pool_.ranges(count, grain, [&](std::int64_t begin, std::int64_t end) {
-    Real square = 0;
-    for (auto p = static_cast<std::size_t>(begin); p < static_cast<std::size_t>(end); ++p)
-      square = std::max(square, s.particles.velocity(p).squaredNorm());
-    fastest[static_cast<std::size_t>(begin / grain)] = std::sqrt(static_cast<double>(square));
-  });
-  double speed = 0, gravity = 0;
-  for (const double v : fastest) speed = std::max(speed, v);
-  for (int a = 0; a < Dim; ++a) {
-    gravity = std::hypot(gravity, s.settings.fluid.gravity[static_cast<std::size_t>(a)]);
-    if (s.steps == 0) continue;
-    const auto& u = s.u[static_cast<std::size_t>(a)];
-    for (std::size_t i = 0; i < u.size(); ++i)
-      if (s.cells.inverse_theta[static_cast<std::size_t>(a)][i] > 0 && s.walls.open[static_cast<std::size_t>(a)][i] > 0)
-        speed = std::max(speed, std::abs(static_cast<double>(u[i])));
-  }
-  const double dx = s.grid.dx, bound = s.settings.time.dt;
-  const double dt = s.settings.time.cfl * dx / std::max(speed + std::sqrt(gravity * dx), 1e-30);
-  return s.solids.max_dt(s.time, s.settings.time.cfl, bound > 0 ? std::min(bound, dt) : dt, s.walls);
-}
-
-template <int Dim, class Real> void FluidSolver<Dim, Real>::check_finite() const {
-  const auto& particles = state_.particles;
-  const auto count = static_cast<std::int64_t>(particles.size());
-  const auto bad = [&](std::size_t p) {
-    Real zero = 0; // stays zero unless something is not finite
-    for (std::size_t d = 0; d < Dim; ++d) zero += 0 * particles.x[d][p] + 0 * particles.v[d][p];
-    for (const auto& column : particles.A) zero += 0 * column[p];
-    return zero != 0;
-  };
-  pool_.ranges(count, 8192, [&](std::int64_t begin, std::int64_t end) {
-    for (auto p = static_cast<std::size_t>(begin); p < static_cast<std::size_t>(end); ++p)
-      if (bad(p)) throw NonFiniteError(title(), state_.steps, state_.time, particles.id[p]);
-  });
 }
 
 template class FluidSolver<2, float>;

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Incompressible, inviscid flow of a liquid with a free surface, by particles and a MAC grid:
 //   Du/Dt = -grad p / rho + g,   div u = 0,   p = 0 on the surface, u.n = U.n on walls and obstacles.
-// The two ways of splitting a step into equations are lie() and midpoint() below.
+// The ways of splitting a step into equations are lie(), midpoint() and reflection() below.
 #pragma once
 
 #include "sim/fluid/extrapolate.h"
+#include "sim/fluid/fluid_ledger.h"
 #include "sim/fluid/fluid_state.h"
 #include "sim/fluid/particle_table.h"
 #include "sim/fluid/project.h"
 #include "sim/fluid/recorder.h"
+#include "sim/fluid/stage_hook.h"
 #include "sim/simulation.h"
 
 namespace flipbook {
@@ -17,7 +19,7 @@ template <int Dim, class Real> class FluidSolver final : public Simulation {
 public:
   /// Ids of the particles must be smaller than a few times their number: seeded positions are kept by id.
   FluidSolver(const Settings& settings, Particles<Dim, Real> particles, Pool& pool,
-              std::vector<Obstacle> obstacles = {});
+              std::vector<Obstacle> obstacles = {}, std::unique_ptr<StageHook<Dim, Real>> hook = nullptr);
 
   [[nodiscard]] double time() const override { return state_.time; }
   [[nodiscard]] std::uint64_t steps() const override { return state_.steps; }
@@ -30,38 +32,42 @@ public:
   [[nodiscard]] std::string title() const override { return state_.settings.transfer.title(); }
   [[nodiscard]] std::size_t particles() const override { return state_.particles.size(); }
   [[nodiscard]] std::shared_ptr<const Snapshot> snapshot(std::uint64_t frame, const FrameRequest& request) override {
-    return recorder_.snapshot(state_, transfer_loss_, frame, request, pool_);
+    return recorder_.snapshot(state_, ledger_ ? &*ledger_ : nullptr, frame, request, pool_);
   }
   [[nodiscard]] ParticleTable particle_table() const override {
     return flipbook::particle_table(state_.particles, state_.settings.grid.origin);
   }
 
   [[nodiscard]] const FluidState<Dim, Real>& state() const { return state_; }
-  /// Kinetic energy that the transfers have lost so far (J); 0 where the ledger is off.
-  [[nodiscard]] double transfer_loss() const { return transfer_loss_; }
+  /// None where ledger.on is false.
+  [[nodiscard]] const std::optional<FluidLedger<Dim, Real>>& ledger() const { return ledger_; }
 
 private:
-  // === The two splittings
+  // === The three splittings
   void lie(double dt);
   void midpoint(double dt);
+  void reflection(double dt);
 
   // === Their parts
   void find_liquid();
   void particles_to_grid();
   void add_gravity(double dt);
   void project(double dt, Field<double>& p);
-  void grid_to_particles(double dt, const Components<Dim, Real>& u);
+  void reflect(double dt);
+  void grid_to_particles(const Components<Dim, Real>& u);
   void gather_filtered(const Corner& corner, const Components<Dim, Real>& u);
-  void correct_particles();
-  void advect(double dt, const Components<Dim, Real>& u);
+  void remove_divergence(double dt);
+  void advect(double dt, const Components<Dim, Real>& u, double t);
   void keep_apart();
   /// The obstacles where they are at time t, with what they caught pushed out.
   void place_solids(double t);
 
+  /// body() as that stage: the hook acts at its borders, then the ledger looks at what has changed.
+  template <class Body> void during(Stage stage, Body&& body, Gather gather = Gather::scheme);
+
   void extrapolate_over_air(bool massless_too, Components<Dim, Real>& u);
   /// blend = a u + b other.
   void combine(Real a, Real b, const Components<Dim, Real>& other);
-  template <class Transfer> void measured(const Components<Dim, Real>& u, Transfer&& transfer);
   void gather_affine_state();
   void check_finite() const;
 
@@ -71,10 +77,10 @@ private:
   Components<Dim, Real> blend_;     ///< see combine
   Components<Dim, Real> u_opening_; ///< velocity at the start of a midpoint step
   XpicTerms<Dim, Real> xpic_;
-  Components<Dim, Real> energies_;    ///< room for the ledger
-  Field<double> correction_pressure_; ///< of the projection that opens a midpoint step
-  double kinetic_before_ = 0, transfer_loss_ = 0;
+  Field<double> correction_pressure_; ///< of remove_divergence
+  std::optional<FluidLedger<Dim, Real>> ledger_;
   Recorder<Dim, Real> recorder_;
+  std::unique_ptr<StageHook<Dim, Real>> hook_; ///< null in a normal run
 };
 
 } // namespace flipbook

@@ -3,17 +3,11 @@
 
 #include "sim/boundary/surface.h"
 #include "sim/fluid/channels.h"
-#include "sim/fluid/energy.h"
+#include "sim/fluid/history.h"
 #include "sim/frame/particle_order.h"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace flipbook {
 namespace {
-
-constexpr std::string_view axis_names = "xyz";
 
 std::string solver_name(const Settings& s) {
   const std::string surface = s.fluid.surface == Surface::ghost   ? "ghost-fluid surface"
@@ -21,38 +15,6 @@ std::string solver_name(const Settings& s) {
                                                                   : "full domain";
   return "incompressible, MAC, " + surface +
          (s.pressure.solver == PressureSolver::mic ? ", MIC(0) conjugate gradients" : ", conjugate gradients");
-}
-
-template <int Dim, class Real> std::vector<std::string> notes(const FluidState<Dim, Real>& s) {
-  std::vector<std::string> list;
-  bool periodic = false;
-  for (int a = 0; a < Dim; ++a) periodic = periodic || s.walls.periodic(a);
-  if (periodic)
-    list.emplace_back("With a periodic axis the angular momentum is not defined.");
-  else if (s.settings.time.advection != Advection::rk1)
-    list.emplace_back(
-        "Particles move with the grid's velocity (rk2, rk3), not with their own: angular momentum need not hold "
-        "exactly.");
-  if (s.solve.residual > std::max(s.settings.pressure.tolerance, 1e-5))
-    list.emplace_back("The pressure solve ended above its tolerance.");
-  return list;
-}
-
-template <int Dim, class Real> HistoryRow row_of(const FluidState<Dim, Real>& state, double transfer_loss, Pool& pool) {
-  const EnergyAccount<Dim> account = energy_account(state, pool);
-  const std::string per = Dim == 2 ? "/m" : "";
-  HistoryRow row;
-  row.add("kinetic", "J" + per, account.totals.kinetic_energy);
-  row.add("potential", "J" + per, account.potential);
-  row.add("total", "J" + per, account.totals.kinetic_energy + account.potential);
-  row.add("transfer_loss", "J" + per, transfer_loss);
-  for (int a = 0; a < Dim; ++a)
-    row.add(std::string("momentum_") + axis_names[static_cast<std::size_t>(a)], "kg m/s" + per,
-            account.totals.momentum[a]);
-  for (int c = 0; c < spin<Dim>; ++c)
-    row.add(std::string("angular_momentum_") + axis_names[Dim == 2 ? 2 : static_cast<std::size_t>(c)], "kg m^2/s" + per,
-            account.totals.angular_momentum[c]);
-  return row;
 }
 
 } // namespace
@@ -99,9 +61,9 @@ template <int Dim, class Real> std::vector<Solid> Recorder<Dim, Real>::solids(co
 }
 
 template <int Dim, class Real>
-std::shared_ptr<const Snapshot> Recorder<Dim, Real>::snapshot(const FluidState<Dim, Real>& state, double transfer_loss,
-                                                              std::uint64_t frame, const FrameRequest& request,
-                                                              Pool& pool) {
+std::shared_ptr<const Snapshot> Recorder<Dim, Real>::snapshot(const FluidState<Dim, Real>& state,
+                                                              FluidLedger<Dim, Real>* ledger, std::uint64_t frame,
+                                                              const FrameRequest& request, Pool& pool) {
   auto s = std::make_shared<Snapshot>();
   Settings settings = state.settings;
   s->title = settings.transfer.title();
@@ -142,9 +104,10 @@ std::shared_ptr<const Snapshot> Recorder<Dim, Real>::snapshot(const FluidState<D
   for (const std::string& name : request.channels) s->channels.push_back(channel(state, name, pool));
   sort_particles(*s);
   s->lattices = lattices(state, request);
-  if (settings.ledger.on) {
-    append(history_, state.time, row_of(state, transfer_loss, pool));
+  if (ledger) {
+    append(history_, state.time, history_row(state, *ledger, request.noise, pool));
     s->history = std::make_shared<History>(history_);
+    s->ledger = std::make_shared<LedgerTable>(ledger->publish(settings));
   }
   return s;
 }

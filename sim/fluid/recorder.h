@@ -2,8 +2,8 @@
 // What a run publishes: a snapshot for each frame, with the extremes and the curves of all frames so far.
 #pragma once
 
-#include "sim/fluid/fluid_state.h"
-#include "sim/frame/recording.h"
+#include "sim/fluid/fluid_ledger.h"
+#include "sim/frame/curves.h"
 #include "sim/frame/snapshot.h"
 
 #include <string>
@@ -15,9 +15,10 @@ public:
   /// Remembers where each particle starts, by id: ids must be smaller than a few times their number.
   explicit Recorder(const Particles<Dim, Real>& seeded);
 
-  /// `transfer_loss`: kinetic energy that the transfers have lost so far.
-  [[nodiscard]] std::shared_ptr<const Snapshot> snapshot(const FluidState<Dim, Real>& state, double transfer_loss,
-                                                         std::uint64_t frame, const FrameRequest& request, Pool& pool);
+  /// Without a ledger there are no curves either.
+  [[nodiscard]] std::shared_ptr<const Snapshot> snapshot(const FluidState<Dim, Real>& state,
+                                                         FluidLedger<Dim, Real>* ledger, std::uint64_t frame,
+                                                         const FrameRequest& request, Pool& pool);
 
 private:
   [[nodiscard]] Channel channel(const FluidState<Dim, Real>& state, const std::string& name, Pool& pool);

@@ -77,16 +77,12 @@ template <int Dim, class Real> void Walls<Dim, Real>::pad(Components<Dim, Real>&
       if (periodic(b)) {
         fill(f, grid_, b, Fill::wrap);
       } else if (a != b) {
-        fill(f, grid_, b, Fill::nearest);
-        if (!friction || kind_[static_cast<std::size_t>(b)] != Wall::no_slip) continue;
-        for (const Box<Dim>& slab : outside(grid_, b))
-          each_in(grid_, slab, [&](const Index<Dim>& i, std::size_t at) {
-            const int lo = pad_of<Dim>, n = grid_.cells[b];
-            const int mirror = i[b] < lo ? 2 * lo - 1 - i[b] : 2 * (lo + n) - 1 - i[b];
-            const std::size_t inner =
-                at + static_cast<std::size_t>((std::clamp(mirror, lo, lo + n - 1) - i[b]) * grid_.stride(b));
-            f[at] = 2 * u_solid[static_cast<std::size_t>(a)][at] - f[inner];
-          });
+        if (kind_[static_cast<std::size_t>(b)] != Wall::no_slip)
+          fill(f, grid_, b, Fill::nearest);
+        else if (friction)
+          for (const Box<Dim>& slab : outside(grid_, b))
+            each_in(grid_, slab,
+                    [&](const Index<Dim>&, std::size_t at) { f[at] = u_solid[static_cast<std::size_t>(a)][at]; });
       }
     }
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The sides of the domain, which are cell faces. Per axis:
 //   free_slip  u.n = U.n at and beyond the wall; tangential velocity continues into the pads
-//   no_slip    u.n = U.n at and beyond the wall; tangential velocity is mirrored, u_pad = 2 U - u, so that it is U on
-//   the wall periodic   the two sides are one: sums that landed in the pads are folded back, values are copied out
+//   no_slip    u = U at and beyond the wall, as in an obstacle: what particles gave to the samples there the wall
+//   takes. (A
+//              mirrored velocity, 2 U - u, does work on them: APIC gained energy without bound.)
+//   periodic   the two sides are one: sums that landed in the pads are folded back, values are copied out
 // Solids inside the domain use the same two arrays: how far each face is open, and how fast the solid part of it moves.
 #pragma once
 
@@ -10,6 +12,7 @@
 #include "sim/fluid/box.h"
 #include "sim/scene/settings.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -26,6 +29,8 @@ public:
   std::array<std::vector<std::uint8_t>, Dim> buried;
 
   [[nodiscard]] bool periodic(int axis) const { return kind_[static_cast<std::size_t>(axis)] == Wall::periodic; }
+  /// Does any wall hold the fluid back (no_slip)?
+  [[nodiscard]] bool friction() const { return std::find(kind_.begin(), kind_.end(), Wall::no_slip) != kind_.end(); }
 
   /// Adds what particles near a periodic side put into its pads to the samples they stand for.
   void fold(Field<Real>& sums) const;
@@ -36,7 +41,7 @@ public:
 
   /// Fills the pads with what the walls do to the flow beside them.
   void pad(Components<Dim, Real>& u) const { pad(u, true); }
-  /// Fills the pads as if every wall slipped: what particles near a wall carry, before the wall has acted.
+  /// Fills the pads without friction: beyond a no_slip wall they keep what the particles near it gave them.
   void pad_slip(Components<Dim, Real>& u) const { pad(u, false); }
   /// Fills the pads of a quantity at cell centres: copied from the nearest cell, or from the other side.
   template <class T> void pad_cells(std::vector<T>& cells) const;

@@ -13,8 +13,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <fstream>
+#include <functional>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -75,12 +77,55 @@ template <class Archive> void fields(Archive& a, History::Column& c) {
   a.field("y", c.y);
 }
 
+template <class Archive> void fields(Archive& a, LedgerTable::Quantity& q) {
+  a.field("name", q.name);
+  a.field("label", q.label);
+  a.field("unit", q.unit);
+  a.field("start", q.start);
+  a.field("now", q.now);
+  a.field("defined", q.defined);
+}
+
+template <class Archive> void fields(Archive& a, LedgerTable::Stage& stage) {
+  a.field("name", stage.name);
+  a.field("label", stage.label);
+}
+
+template <class Archive> void fields(Archive& a, LedgerTable::Account& account) {
+  a.field("step", account.step);
+  a.field("time", account.time);
+  a.field("held", account.held);
+  a.field("changes", account.changes);
+}
+
 template <class Archive, class T> void each(Archive& a, std::string_view name, std::vector<T>& list) {
   a.length(name, list);
   for (T& x : list) fields(a, x);
 }
 
-template <class Archive> void fields(Archive& a, Snapshot& s, History& history, bool& has_history) {
+template <class Archive> void fields(Archive& a, LedgerTable& l) {
+  each(a, "quantities", l.quantities);
+  each(a, "stages", l.stages);
+  a.field("step", l.step);
+  a.field("total", l.total);
+  std::vector<std::uint8_t> claims;
+  for (const LedgerTable::Claim c : l.claims) claims.push_back(static_cast<std::uint8_t>(c));
+  a.field("claims", claims);
+  l.claims.clear();
+  for (const std::uint8_t c : claims) l.claims.push_back(static_cast<LedgerTable::Claim>(c));
+  a.field("energy_in", l.energy_in);
+  a.field("step_in", l.step_in);
+  each(a, "accounts", l.accounts);
+}
+
+/// What a snapshot points to, where there is any.
+struct Parts {
+  History history;
+  LedgerTable ledger;
+  bool has_history = false, has_ledger = false;
+};
+
+template <class Archive> void fields(Archive& a, Snapshot& s, Parts& parts) {
   a.field("title", s.title);
   a.field("scheme", s.scheme);
   a.field("kernel", s.kernel);
@@ -107,17 +152,37 @@ template <class Archive> void fields(Archive& a, Snapshot& s, History& history, 
   each(a, "channels", s.channels);
   each(a, "lattices", s.lattices);
   each(a, "solids", s.solids);
-  a.field("history", has_history);
-  if (!has_history) return;
-  a.field("t", history.t);
-  each(a, "columns", history.columns);
+  a.field("history", parts.has_history);
+  if (parts.has_history) {
+    a.field("t", parts.history.t);
+    each(a, "columns", parts.history.columns);
+  }
+  a.optional("ledger", parts.has_ledger);
+  if (parts.has_ledger) fields(a, parts.ledger);
+  bool marked = !s.watermark.empty();
+  a.optional("watermark", marked);
+  if (marked) a.field("text", s.watermark);
+}
+
+using Require = std::function<void(bool, const std::string&)>;
+
+void check(const LedgerTable& l, const Require& require) {
+  const std::size_t quantities = l.quantities.size(), entries = l.stages.size() * quantities;
+  require(l.step.size() == entries && l.total.size() == entries && l.claims.size() == entries,
+          "the ledger must hold a change and a claim for each stage and quantity");
+  require(std::all_of(l.claims.begin(), l.claims.end(), [](auto c) { return c <= LedgerTable::Claim::fails; }),
+          "a claim of the ledger is 0, 1 or 2");
+  for (const LedgerTable::Account& a : l.accounts)
+    require(a.held.size() == quantities && a.changes.size() == entries,
+            "an account of the ledger must hold a number for each quantity, and one for each stage and quantity");
 }
 
 /// What drawing relies on: every array has the length that the others imply.
 void check(const Snapshot& s, const std::string& path) {
-  const auto require = [&path](bool holds, const std::string& message) {
+  const Require require = [&path](bool holds, const std::string& message) {
     if (!holds) throw UserError(message, Location{path});
   };
+  if (s.ledger) check(*s.ledger, require);
   require(s.dim == 2 || s.dim == 3, "dim must be 2 or 3");
   require(s.dx > 0, "dx must be positive");
   const std::size_t numbers = s.particles() * static_cast<std::size_t>(s.dim);
@@ -169,16 +234,22 @@ std::size_t Snapshot::bytes() const {
     sum += sizeof *history + heap(history->t);
     for (const History::Column& c : history->columns) sum += sizeof c + heap(c.y);
   }
+  if (ledger) {
+    sum += sizeof *ledger + heap(ledger->quantities) + heap(ledger->stages) + heap(ledger->step) + heap(ledger->total) +
+           heap(ledger->claims);
+    for (const LedgerTable::Account& a : ledger->accounts) sum += sizeof a + heap(a.held) + heap(a.changes);
+  }
   return sum;
 }
 
 void save_snapshot(const Snapshot& s, const std::string& path) {
   Snapshot copy = s; // the listing of the fields is shared with reading, which writes to them
-  History history = s.history ? *s.history : History{};
-  bool has_history = s.history != nullptr;
+  Parts parts;
+  if ((parts.has_history = s.history != nullptr)) parts.history = *s.history;
+  if ((parts.has_ledger = s.ledger != nullptr)) parts.ledger = *s.ledger;
   TextWriter writer;
   writer.text.append(magic).append("\n");
-  fields(writer, copy, history, has_history);
+  fields(writer, copy, parts);
 
   const std::string part = path + ".part";
   std::ofstream file(part, std::ios::binary);
@@ -200,11 +271,11 @@ Snapshot load_snapshot(const std::string& path) {
 
   TextReader reader(std::string_view(text).substr(magic.size()), path);
   Snapshot s;
-  auto history = std::make_shared<History>();
-  bool has_history = false;
-  fields(reader, s, *history, has_history);
+  Parts parts;
+  fields(reader, s, parts);
   reader.end();
-  if (has_history) s.history = std::move(history);
+  if (parts.has_history) s.history = std::make_shared<History>(std::move(parts.history));
+  if (parts.has_ledger) s.ledger = std::make_shared<LedgerTable>(std::move(parts.ledger));
   check(s, path);
   return s;
 }

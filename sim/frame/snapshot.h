@@ -3,6 +3,7 @@
 // what it needs in a FrameRequest and the simulation publishes only that.
 #pragma once
 
+#include "sim/frame/ledger_table.h"
 #include "sim/frame/mesh.h"
 #include "sim/frame/parameters.h"
 
@@ -52,6 +53,7 @@ struct FrameRequest {
   std::vector<std::string> channels; ///< particle colours by name
   bool faces = false;                ///< face velocities u, v(, w) as lattices
   bool phi = false, pressure = false;
+  bool noise = false; ///< the RMS of |v_p - u(x_p)| as a curve, which costs a transfer at each frame
 };
 
 struct Snapshot {
@@ -60,6 +62,7 @@ struct Snapshot {
   std::string scheme, kernel, solver;
   std::vector<Parameter> parameters; ///< all of them, with their values at this frame
   std::vector<std::string> notes;    ///< sentences a reader must know ("L is not expected to hold exactly")
+  std::string watermark;             ///< drawn across the pane where it is not empty: "mistake: reversed offset"
 
   // === When
   std::uint64_t frame = 0;
@@ -85,6 +88,7 @@ struct Snapshot {
   std::vector<LatticeData> lattices;
   std::vector<Solid> solids; ///< in the same coordinates as x
   std::shared_ptr<const History> history;
+  std::shared_ptr<const LedgerTable> ledger; ///< none where ledger.on is false or the solver keeps none
 
   [[nodiscard]] std::size_t particles() const { return id.size(); }
   [[nodiscard]] std::size_t bytes() const; ///< memory held, for the bound on the exchange

@@ -29,6 +29,10 @@ public:
   }
   void value(std::string_view name, const Value& x, Kind /*kind*/) { field(name, to_toml(x)); }
   template <class T> void length(std::string_view name, const std::vector<T>& x) { field(name, x.size()); }
+  /// A block that may be missing: its name alone begins it.
+  void optional(std::string_view name, bool there) {
+    if (there) text.append(name).append("\n");
+  }
 
 private:
   static constexpr std::size_t per_line = 16;
@@ -71,6 +75,11 @@ public:
     begin(name);
     constexpr std::size_t least = 24; // characters that the fields of the smallest entry take
     x.resize(count(least));
+  }
+  void optional(std::string_view name, bool& there) {
+    const TextReader before = *this;
+    there = token() == name;
+    if (!there) *this = before;
   }
   /// Nothing may follow the last field.
   void end() {

@@ -40,10 +40,12 @@ std::optional<std::string> find_asset(std::string_view folder, const std::string
     if (path.is_relative() && !base.empty()) path = fs::path(base) / path;
     return is_file(path) ? std::optional(path.string()) : std::nullopt;
   }
-  for (const fs::path& root : roots()) {
-    const fs::path path = root / folder / (name_or_path + ".toml");
-    if (is_file(path)) return path.string();
-  }
+  return find_asset_file(folder, name_or_path + ".toml");
+}
+
+std::optional<std::string> find_asset_file(std::string_view folder, const std::string& name) {
+  for (const fs::path& root : roots())
+    if (const fs::path path = root / folder / name; is_file(path)) return path.string();
   return std::nullopt;
 }
 

@@ -17,6 +17,9 @@ namespace flipbook {
 [[nodiscard]] std::optional<std::string> find_asset(std::string_view folder, const std::string& name_or_path,
                                                     const std::string& base = {});
 
+/// The file of this name ("martin_moyce.csv") in `folder` ("reference") of the assets. Nothing if there is none.
+[[nodiscard]] std::optional<std::string> find_asset_file(std::string_view folder, const std::string& name);
+
 /// Was a path given, rather than a name?
 [[nodiscard]] bool is_path(const std::string& name_or_path);
 

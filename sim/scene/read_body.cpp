@@ -3,6 +3,7 @@
 
 #include "sim/scene/read_shape.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -28,9 +29,25 @@ VelocityPtr by_components(const Node& list, Mistakes& mistakes) {
   return components_velocity(constant, std::move(formula));
 }
 
+/// { random = speed, size = metres, seed = n }
+VelocityPtr by_chance(TableReader& reader) {
+  const double speed = reader.number("random", 0, 1e6, std::nullopt);
+  const double size = reader.number("size", 1e-6, 1e6, std::nullopt);
+  const double seed = reader.number("seed", 0, 1e9, 1.0);
+  return random_velocity(speed, size, static_cast<int>(seed));
+}
+
 /// { rotation = omega }, { strain = rate } or { swirl = "u_phi(r)" }, each with an optional centre.
 VelocityPtr by_motion(const Node& table, Mistakes& mistakes) {
   TableReader reader(table, "a velocity", mistakes);
+  static constexpr std::string_view kinds[] = {"rotation", "strain", "swirl", "random"};
+  if (std::count_if(std::begin(kinds), std::end(kinds), [&](std::string_view k) { return table.find(k); }) != 1)
+    mistakes.add("a velocity needs one of \"rotation\", \"strain\", \"swirl\", \"random\"", table.where);
+  if (reader.optional("random")) {
+    VelocityPtr velocity = by_chance(reader);
+    reader.done();
+    return velocity;
+  }
   const std::vector<double> middle;
   const auto given = reader.numbers("centre", 2, 3, middle);
   Listed centre = listed(given);
@@ -49,8 +66,6 @@ VelocityPtr by_motion(const Node& table, Mistakes& mistakes) {
     const std::string formula = reader.text("swirl", "");
     if (swirl->type == Node::Type::text) velocity = swirl_velocity(Expression(formula, {"r"}, swirl->where), centre);
   }
-  const int motions = (table.find("rotation") ? 1 : 0) + (table.find("strain") ? 1 : 0) + (table.find("swirl") ? 1 : 0);
-  if (motions != 1) mistakes.add("a velocity needs one of \"rotation\", \"strain\", \"swirl\"", table.where);
   reader.done();
   return velocity;
 }

@@ -2,6 +2,7 @@
 #include "sim/scene/settings.h"
 
 #include "sim/scene/preset.h"
+#include "sim/scene/round_trips.h"
 
 #include <cmath>
 #include <cstddef>
@@ -17,7 +18,13 @@ constexpr Option patterns[] = {{"regular", "At the centres of the sub-cells"},
 constexpr Option locksteps[] = {{"shared", "One dt for all variants, the smallest that any of them needs"},
                                 {"own", "Each variant takes its own dt; they meet at the frames"}};
 constexpr Option splittings[] = {{"lie", "Transfer, forces, projection, advection one after the other; first order"},
-                                 {"midpoint", "Forces and projection at the middle of the step; second order"}};
+                                 {"midpoint", "Forces and projection at the middle of the step; second order"},
+                                 {"reflection", "Advection, reflection about the projected velocity, advection"}};
+constexpr Option methods[] = {{"fluid", "Incompressible flow with a free surface"},
+                              {"transfer", "Nothing but the transfers: particles to grid and back, over and over"}};
+constexpr Option layouts[] = {{"mac", "Each component at the middles of the faces across its axis"},
+                              {"nodes", "All components at the corners of the cells"}};
+constexpr Option ledger_rows[] = {{"frame", "One account a frame"}, {"step", "One account a step"}};
 constexpr Option advections[] = {
     {"rk1", "Forward Euler"}, {"rk2", "Midpoint rule"}, {"rk3", "Ralston's third-order rule"}};
 constexpr Option wall_kinds[] = {{"free_slip", "Nothing passes; sliding along is free"},
@@ -55,6 +62,10 @@ void GridSettings::describe(ParameterVisitor& v) {
            .max = 1e6,
            .effect = Effect::restart},
           origin);
+  v.choice({.name = "layout",
+            .help = "Where the velocity of the grid is sampled; a fluid is on MAC faces",
+            .effect = Effect::restart},
+           layout, layouts);
 }
 
 void SeedingSettings::describe(ParameterVisitor& v) {
@@ -147,6 +158,8 @@ void LedgerSettings::describe(ParameterVisitor& v) {
           .help = "Measure momentum, angular momentum and energy at every stage of a step",
           .effect = Effect::restart},
          on);
+  v.choice({.name = "rows", .help = "How often a row goes to the ledger's file", .effect = Effect::restart}, rows,
+           ledger_rows);
   v.reals({.name = "origin",
            .help = "Point about which angular momentum is taken, from the centre of the domain",
            .unit = "m",
@@ -157,8 +170,10 @@ void LedgerSettings::describe(ParameterVisitor& v) {
 }
 
 void Settings::describe(ParameterVisitor& all) {
-  PresetFilter v(all, *this);
+  PresetFilter presets_apart(all, *this);
+  RoundTripFilter v(presets_apart, *this);
   v.integer({.name = "dim", .help = "2: a plane, 3: space", .min = 2, .max = 3, .effect = Effect::restart}, dim);
+  v.choice({.name = "solver", .help = "What a step consists of", .effect = Effect::restart}, solver, methods);
   v.choice({.name = "preset", .help = "Whose algorithm runs", .effect = Effect::restart}, preset, presets);
   v.choice({.name = "precision", .help = "Numbers that the solver computes with", .effect = Effect::restart}, precision,
            precisions);
@@ -197,6 +212,7 @@ Settings::Conflict Settings::conflict() const {
   if (precision == Precision::single && pressure.tolerance < 1e-7)
     return {"pressure.tolerance", "a pressure.tolerance of " + to_toml(pressure.tolerance) +
                                       " cannot be reached in single precision; set precision = \"double\""};
+  if (Conflict c = round_trip_conflict(*this); !c.path.empty()) return c;
   return preset_conflict(*this);
 }
 

@@ -2,6 +2,7 @@
 // Every parameter of one simulation, as plain data. Each part describes itself; Settings::describe lists the parts.
 #pragma once
 
+#include "sim/core/lattice.h"
 #include "sim/frame/parameters.h"
 #include "sim/transfer/schemes.h"
 
@@ -19,15 +20,18 @@ enum class Surface {
 };                                     ///< second order in the level set; air begins at a cell centre; no air at all
 enum class PressureSolver { cg, mic }; ///< conjugate gradients: plain (Jacobi), or with modified incomplete Cholesky
 enum class Lockstep { shared, own };
-enum class Splitting { lie, midpoint };
+enum class Splitting { lie, midpoint, reflection };
 enum class Advection { rk1, rk2, rk3 };
 enum class Pattern { regular, jittered };
+enum class Solver { fluid, transfer }; ///< the whole step, or nothing but P2G and G2P over and over
+enum class LedgerRows { frame, step };
 enum class Preset { none, tutorial }; ///< whose algorithm runs: ours, or step for step that of the fluid notes
 
 struct GridSettings {
   std::array<int, 3> cells{64, 64, 64};
   std::array<double, 3> size{1, 1, 1};   ///< metres
   std::array<double, 3> origin{0, 0, 0}; ///< world coordinates of the domain's lower corner (m); only files know them
+  Layout layout = Layout::mac;           ///< of the velocity; a fluid is on MAC faces
   void describe(ParameterVisitor& v);
 };
 
@@ -72,12 +76,14 @@ struct PressureSettings {
 
 struct LedgerSettings {
   bool on = true;
+  LedgerRows rows = LedgerRows::frame;   ///< of LedgerTable::accounts
   std::array<double, 3> origin{0, 0, 0}; ///< about which angular momentum is taken; relative to the domain centre
   void describe(ParameterVisitor& v);
 };
 
 struct Settings {
   int dim = 2;
+  Solver solver = Solver::fluid;
   Preset preset = Preset::none;
   Precision precision = Precision::single;
   GridSettings grid;

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "sim/scene/velocity.h"
 
+#include "sim/core/random.h"
+
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 namespace flipbook {
@@ -63,6 +67,40 @@ struct Swirl final : Velocity {
   }
 };
 
+struct Random final : Velocity {
+  Random(double v, double h, int s) : speed(v), size(h), seed(static_cast<std::uint64_t>(s)) {}
+  double speed, size;
+  std::uint64_t seed;
+
+  Point at(const Point& p, const Domain& domain) const override {
+    const auto dim = static_cast<std::size_t>(domain.dim);
+    std::array<std::uint64_t, 3> lower{}, upper{};
+    Point share{0, 0, 0};
+    for (std::size_t d = 0; d < dim; ++d) {
+      const double cubes = std::max(1.0, std::round(domain.size[d] / size)), q = p[d] / domain.size[d] * cubes;
+      const double base = std::floor(q);
+      share[d] = q - base;
+      lower[d] = wrapped(base, cubes);
+      upper[d] = wrapped(base + 1, cubes);
+    }
+    Point v{0, 0, 0};
+    for (unsigned corner = 0; corner < 1U << dim; ++corner) {
+      double weight = 1;
+      std::uint64_t name = 0; // of the corner; mixed, so that the axes do not mirror each other
+      for (std::size_t d = 0; d < dim; ++d) {
+        const bool up = (corner >> d & 1U) != 0;
+        weight *= up ? share[d] : 1 - share[d];
+        name = mix(name + (up ? upper[d] : lower[d]));
+      }
+      for (std::size_t d = 0; d < dim; ++d) v[d] += weight * speed * (2 * uniform(seed, name, d) - 1);
+    }
+    return v;
+  }
+
+private:
+  static std::uint64_t wrapped(double i, double n) { return static_cast<std::uint64_t>(i - n * std::floor(i / n)); }
+};
+
 } // namespace
 
 VelocityPtr components_velocity(const Point& constant, std::array<std::optional<Expression>, 3> formula) {
@@ -76,6 +114,9 @@ VelocityPtr strain_velocity(const Point& rates, const Listed& centre) {
 }
 VelocityPtr swirl_velocity(const Expression& u_phi, const Listed& centre) {
   return std::make_shared<Swirl>(u_phi, centre);
+}
+VelocityPtr random_velocity(double speed, double size, int seed) {
+  return std::make_shared<Random>(speed, size, seed);
 }
 
 } // namespace flipbook

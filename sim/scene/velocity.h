@@ -27,5 +27,9 @@ using VelocityPtr = std::shared_ptr<const Velocity>;
 [[nodiscard]] VelocityPtr strain_velocity(const Point& rates, const Listed& centre);
 /// Around the z axis through the centre with the speed u_phi(r), r being the distance from that axis.
 [[nodiscard]] VelocityPtr swirl_velocity(const Expression& u_phi, const Listed& centre);
+/// Components that are random in (-speed, speed) at the corners of cubes with edges of about `size`, a whole number of
+/// which fits into the domain, and multilinear in between; it repeats itself beyond the domain. The same seed, the same
+/// velocity.
+[[nodiscard]] VelocityPtr random_velocity(double speed, double size, int seed);
 
 } // namespace flipbook

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/transfer/transfer.h"
 
+#include "sim/transfer/scalar_sweep.h"
 #include "sim/transfer/sweep.h"
 
 namespace flipbook {
@@ -71,6 +72,7 @@ template <int Dim, class Real>
 void g2p(const Corner& corner, KernelName kernel, Layout layout, const Grid<Dim>& grid, const Components<Dim, Real>& u,
          const Components<Dim, Real>& u_old, Particles<Dim, Real>& particles, Pool& pool,
          const std::vector<std::uint8_t>* ballistic) {
+  if (corner.scalar) return scalar_g2p(Take::all, corner, kernel, layout, grid, u, u_old, particles, pool, ballistic);
   const auto flip_ratio = static_cast<Real>(corner.flip_ratio);
   const auto now = pointers<Dim>(u), before = pointers<Dim>(u_old);
   with_gatherer(corner, kernel, layout, grid, particles, ballistic, [&](const auto& to) {
@@ -95,6 +97,8 @@ template <int Dim, class Real>
 void g2p_increment(const Corner& corner, KernelName kernel, Layout layout, const Grid<Dim>& grid,
                    const Components<Dim, Real>& du, Particles<Dim, Real>& particles, Pool& pool,
                    const std::vector<std::uint8_t>* ballistic) {
+  if (corner.scalar)
+    return scalar_g2p(Take::increment, corner, kernel, layout, grid, du, du, particles, pool, ballistic);
   const auto change = pointers<Dim>(du);
   with_gatherer(corner, kernel, layout, grid, particles, ballistic, [&](const auto& to) {
     to.each(particles.size(), pool, [=, &to](std::size_t p, const auto& stencil) {
@@ -109,6 +113,7 @@ void g2p_increment(const Corner& corner, KernelName kernel, Layout layout, const
 template <int Dim, class Real>
 void gather_affine(const Corner& corner, KernelName kernel, Layout layout, const Grid<Dim>& grid,
                    const Components<Dim, Real>& u, Particles<Dim, Real>& particles, Pool& pool) {
+  if (corner.scalar) return scalar_g2p(Take::memory, corner, kernel, layout, grid, u, u, particles, pool, nullptr);
   const auto now = pointers<Dim>(u);
   with_gatherer(corner, kernel, layout, grid, particles, nullptr, [&](const auto& to) {
     to.each(particles.size(), pool, [=, &to](std::size_t p, const auto& stencil) {

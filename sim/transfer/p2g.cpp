@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/transfer/transfer.h"
 
+#include "sim/transfer/scalar_sweep.h"
 #include "sim/transfer/sweep.h"
 
 namespace flipbook {
@@ -21,9 +22,11 @@ template <class Mode, class K, int Dim, class Real> struct Scatter {
   std::array<const Real*, std::tuple_size_v<decltype(Mode::state)>> A;
   const Real* mass;
   std::array<Real*, Dim> m, mu;
+  const std::uint8_t* ballistic;
 
   void operator()(std::size_t begin, std::size_t end) const {
     for (std::size_t p = begin; p < end; ++p) {
+      if (ballistic && ballistic[p]) continue;
       const Stencil<K, Dim, Real> stencil(walk, walk.position([&](std::size_t d) { return x[d][p]; }));
       const Mode mode{entries(A, p)};
       for (int a = 0; a < Dim; ++a) {
@@ -51,9 +54,10 @@ template <class Mode, class K, int Dim, class Real> struct Scatter {
 template <int Dim, class Real>
 void p2g(const Corner& corner, KernelName kernel, Layout layout, const Grid<Dim>& grid,
          const Particles<Dim, Real>& particles, const CellOrder<Dim>& order, Components<Dim, Real>& m,
-         Components<Dim, Real>& mu, Pool& pool) {
+         Components<Dim, Real>& mu, Pool& pool, const std::vector<std::uint8_t>* ballistic) {
   clear(m, pool);
   clear(mu, pool);
+  if (corner.scalar) return scalar_p2g(corner, kernel, layout, grid, particles, order, m, mu, pool, ballistic);
   with_sweep(corner, kernel, particles, [&](auto mode, auto k) {
     using Mode = decltype(mode);
     const Scatter<Mode, decltype(k), Dim, Real> scatter{{grid, layout},
@@ -62,7 +66,8 @@ void p2g(const Corner& corner, KernelName kernel, Layout layout, const Grid<Dim>
                                                         pointers<std::tuple_size_v<decltype(Mode::state)>>(particles.A),
                                                         particles.m.data(),
                                                         pointers<Dim>(m),
-                                                        pointers<Dim>(mu)};
+                                                        pointers<Dim>(mu),
+                                                        ballistic ? ballistic->data() : nullptr};
     each_block(grid, order, pool, scatter);
   });
 }
@@ -77,7 +82,8 @@ template <int Dim, class Real> void to_velocity(const Components<Dim, Real>& m, 
 
 #define FLIPBOOK_INSTANTIATE(Dim, Real)                                                                                \
   template void p2g(const Corner&, KernelName, Layout, const Grid<Dim>&, const Particles<Dim, Real>&,                  \
-                    const CellOrder<Dim>&, Components<Dim, Real>&, Components<Dim, Real>&, Pool&);                     \
+                    const CellOrder<Dim>&, Components<Dim, Real>&, Components<Dim, Real>&, Pool&,                      \
+                    const std::vector<std::uint8_t>*);                                                                 \
   template void to_velocity(const Components<Dim, Real>&, Components<Dim, Real>&, Pool&)
 FLIPBOOK_INSTANTIATE(2, float);
 FLIPBOOK_INSTANTIATE(2, double);

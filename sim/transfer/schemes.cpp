@@ -95,7 +95,7 @@ void TransferSettings::describe(ParameterVisitor& v) {
 
 Corner TransferSettings::corner() const {
   Corner c;
-  with_scheme(schemes, scheme, [&](const auto& s) { c = s.corner(); });
+  with_scheme(schemes, scheme, [&](const auto& s) { c = corner_of(s); });
   return c;
 }
 

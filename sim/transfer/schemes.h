@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The list of schemes, and the settings that choose one. A scheme is one header that names its parameters and says
-// which corner of the one family it is; a new scheme is one header plus one name in the list below.
+// which corner of the one family it is, or how it paints and gathers in plain scalar code (scalar.h); a new scheme is
+// one header plus one name in the list below.
 #pragma once
 
 #include "sim/core/particles.h"
@@ -13,6 +14,7 @@
 #include "sim/transfer/pic.h"
 #include "sim/transfer/polypic.h"
 #include "sim/transfer/rpic.h"
+#include "sim/transfer/scalar.h"
 #include "sim/transfer/xpic.h"
 
 #include <concepts>
@@ -30,9 +32,19 @@ concept Scheme = Described<S> && std::default_initializable<S> && requires(const
   { S::name } -> std::convertible_to<std::string_view>;    // in files: "flip"
   { S::label } -> std::convertible_to<std::string_view>;   // in pictures: "FLIP"
   { S::summary } -> std::convertible_to<std::string_view>; // one line
-  { s.corner() } -> std::same_as<Corner>;
+  requires ScalarCode<S> || requires {
+    { s.corner() } -> std::same_as<Corner>;
+  };
   // optional: static constexpr bool parameter_in_title: the title shows the first parameter even at its default
 };
+
+/// What a scheme is to the sweeps: the corner that it names, or its own code.
+template <Scheme S> [[nodiscard]] Corner corner_of(const S& scheme) {
+  if constexpr (ScalarCode<S>)
+    return scalar_corner(scheme);
+  else
+    return scheme.corner();
+}
 
 using Schemes = std::tuple<Pic, Flip, Rpic, Apic, Aflip, Polypic, Xpic>; ///< the list
 

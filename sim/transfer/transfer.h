@@ -17,11 +17,12 @@ namespace flipbook {
 
 /// Clears m and mu, then for each component
 ///   m_i = sum_p w_ip m_p,   (m u)_i = sum_p w_ip m_p (v_p + A_p (x_i - x_p)).
-/// Pads receive what reaches them; on a periodic axis the caller folds them in.
+/// Pads receive what reaches them; on a periodic axis the caller folds them in. Particles marked in `ballistic` (one
+/// byte each) leave nothing.
 template <int Dim, class Real>
 void p2g(const Corner& corner, KernelName kernel, Layout layout, const Grid<Dim>& grid,
          const Particles<Dim, Real>& particles, const CellOrder<Dim>& order, Components<Dim, Real>& m,
-         Components<Dim, Real>& mu, Pool& pool);
+         Components<Dim, Real>& mu, Pool& pool, const std::vector<std::uint8_t>* ballistic = nullptr);
 
 /// u = (m u) / m where there is mass, else 0; in place.
 template <int Dim, class Real> void to_velocity(const Components<Dim, Real>& m, Components<Dim, Real>& mu, Pool& pool);

@@ -23,7 +23,8 @@ template <int Dim, class Real>
 const Components<Dim, Real>&
 XpicTerms<Dim, Real>::operator()(int terms, KernelName kernel, Layout layout, const Grid<Dim>& grid,
                                  const Particles<Dim, Real>& particles, const CellOrder<Dim>& order,
-                                 const Components<Dim, Real>& u_old, const Fold& fold, Pool& pool) {
+                                 const Components<Dim, Real>& u_old, const Fold& fold, Pool& pool,
+                                 const std::vector<std::uint8_t>* ballistic) {
   sum_.resize(grid);
   if (terms < 2) return sum_;
   carrier_ = particles;
@@ -33,8 +34,8 @@ XpicTerms<Dim, Real>::operator()(int terms, KernelName kernel, Layout layout, co
   back_.resize(grid);
   const Corner pic{};
   for (int l = 2; l <= terms; ++l) {
-    g2p(pic, kernel, layout, grid, delta_, delta_, carrier_, pool);
-    p2g(pic, kernel, layout, grid, carrier_, order, mass_, back_, pool);
+    g2p(pic, kernel, layout, grid, delta_, delta_, carrier_, pool, ballistic);
+    p2g(pic, kernel, layout, grid, carrier_, order, mass_, back_, pool, ballistic);
     fold(mass_);
     fold(back_);
     to_velocity(mass_, back_, pool);

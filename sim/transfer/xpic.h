@@ -39,13 +39,15 @@ struct Xpic {
 
 /// delta_2 + .. + delta_m, which u takes on top before G2P gathers it without any flip_ratio. `m` and `u_old` as P2G
 /// left them; `fold` is told every field of sums that the scatter made, to fold in what lies across periodic sides.
+/// Particles marked in `ballistic` take no part.
 template <int Dim, class Real> class XpicTerms {
 public:
   using Fold = std::function<void(Components<Dim, Real>&)>;
   [[nodiscard]] const Components<Dim, Real>& operator()(int terms, KernelName kernel, Layout layout,
                                                         const Grid<Dim>& grid, const Particles<Dim, Real>& particles,
                                                         const CellOrder<Dim>& order, const Components<Dim, Real>& u_old,
-                                                        const Fold& fold, Pool& pool);
+                                                        const Fold& fold, Pool& pool,
+                                                        const std::vector<std::uint8_t>* ballistic = nullptr);
 
 private:
   Particles<Dim, Real> carrier_; ///< positions and masses, with S delta as the velocity

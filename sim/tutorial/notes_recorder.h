@@ -3,7 +3,7 @@
 #pragma once
 
 #include "sim/core/parallel.h"
-#include "sim/frame/recording.h"
+#include "sim/frame/curves.h"
 #include "sim/tutorial/notes_state.h"
 
 #include <memory>

@@ -59,14 +59,19 @@ const std::map<std::string, std::vector<std::string>> allowed = {
     {"sim/fluid",
      {"sim/frame", "sim/core", "sim/kernels", "sim/transfer", "sim/boundary", "sim/scene", "sim/diagnostics",
       "sim/files", "sim"}},
+    {"sim/transfer_only",
+     {"sim/frame", "sim/core", "sim/kernels", "sim/transfer", "sim/scene", "sim/diagnostics", "sim/files", "sim/fluid",
+      "sim"}},
+    {"sim/museum", // only the program leads there, never a solver
+     {"sim/frame", "sim/core", "sim/kernels", "sim/transfer", "sim/scene", "sim/diagnostics", "sim/fluid", "sim"}},
     {"sim/tutorial", {"sim/frame", "sim/core", "sim/transfer", "sim/boundary", "sim/scene", "sim/files", "sim"}},
     {"sim",
      {"sim/frame", "sim/core", "sim/kernels", "sim/transfer", "sim/boundary", "sim/scene", "sim/diagnostics",
-      "sim/files", "sim/fluid", "sim/tutorial"}},
+      "sim/files", "sim/fluid", "sim/transfer_only", "sim/tutorial"}},
     {"render", {"sim/frame"}},
     {"app",
      {"sim/frame", "sim/core", "sim/kernels", "sim/transfer", "sim/boundary", "sim/scene", "sim/diagnostics", "sim",
-      "sim/files", "render"}},
+      "sim/files", "render", "sim/museum"}},
 };
 
 TEST(Architecture, IncludesFollowTheLayers) {

@@ -66,10 +66,10 @@ TEST_P(EllipticalDrop, KeepsItsExactAxesAndItsEnergy) {
 
 INSTANTIATE_TEST_SUITE_P(All, EllipticalDrop,
                          testing::Combine(testing::Values(flip, apic),
-                                          testing::Values(Splitting::lie, Splitting::midpoint)),
+                                          testing::Values(Splitting::lie, Splitting::midpoint, Splitting::reflection)),
                          [](const auto& run) {
-                           return std::string(scheme_names[std::get<0>(run.param)]) +
-                                  (std::get<1>(run.param) == Splitting::lie ? "_lie" : "_midpoint");
+                           return std::string(scheme_names[std::get<0>(run.param)]) + "_" +
+                                  splitting_names[static_cast<std::size_t>(std::get<1>(run.param))];
                          });
 
 } // namespace

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "sim/core/random.h"
-#include "sim/fluid/energy.h"
 #include "sim/fluid/fluid_solver.h"
 
 #include <cmath>
@@ -13,6 +12,7 @@
 namespace flipbook::test {
 
 inline const char* const scheme_names[] = {"pic", "flip", "rpic", "apic", "aflip", "polypic", "xpic"};
+inline const char* const splitting_names[] = {"lie", "midpoint", "reflection"}; // by Splitting
 enum SchemeIndex { pic, flip, rpic, apic, aflip, polypic, xpic };
 
 /// The domain [0, cells dx] with free-slip walls, double precision and a tight pressure solve.
@@ -68,6 +68,15 @@ Particles<Dim, Real> seed(const Settings& s, Inside&& inside, Velocity&& v) {
 template <int Dim> auto everywhere = [](const Vec<Dim, double>&) { return true; };
 template <int Dim> auto at_rest = [](const Vec<Dim, double>&) { return Vec<Dim, double>(Vec<Dim, double>::Zero()); };
 
+/// What the particles hold, about the centre of the domain.
+template <int Dim, class Real> Totals<Dim> totals(const FluidState<Dim, Real>& s, Pool& pool) {
+  return particle_totals<Dim, Real>(s.settings.transfer.kernel, Layout::mac, s.grid, s.particles, s.grid.size_m() / 2,
+                                    pool);
+}
+template <int Dim, class Real> double kinetic_energy(const FluidState<Dim, Real>& s, Pool& pool) {
+  return totals(s, pool).kinetic_energy;
+}
+
 /// A solver with a pool of its own.
 template <int Dim, class Real = double> struct Flow {
   Budget budget;
@@ -104,6 +113,13 @@ template <int Dim, class Real = double> struct Flow {
         .kinetic_energy;
   }
 };
+
+/// A request for the curve that costs a transfer.
+inline FrameRequest with_noise() {
+  FrameRequest request;
+  request.noise = true;
+  return request;
+}
 
 /// Taylor-Green vortices in the unit square.
 inline Vec<2, double> taylor_green(const Vec<2, double>& x) {

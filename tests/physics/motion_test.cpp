@@ -36,20 +36,23 @@ template <int Dim> void expect_free_fall(int scheme, Splitting splitting) {
   const double dt = 0.01, g = 9.81;
   const int steps = 20;
   for (int i = 0; i < steps; ++i) flow.solver.step(dt);
-  const double fallen =
-      splitting == Splitting::lie ? g * dt * dt * steps * (steps + 1) / 2 : g * dt * dt * steps * steps / 2;
+  // By each step, g dt^2 / 2 times: the velocity at its end; exactly; the one at its start, then the one at its middle.
+  const double late = splitting == Splitting::lie ? 1 : splitting == Splitting::midpoint ? 0 : -0.5;
+  const double fallen = g * dt * dt * steps * (steps + late) / 2;
   double worst = 0;
   for (std::size_t p = 0; p < seeded.size(); ++p) {
     const auto start = seeded.position(flow.particles().id[p]), x = flow.particles().position(p);
     worst = std::max({worst, std::abs(x[0] - start[0] - 0.2 * steps * dt), std::abs(x[1] - start[1] + fallen),
                       std::abs(flow.particles().velocity(p)[1] + g * steps * dt)});
   }
-  EXPECT_LT(worst, 1e-9) << Dim << "D";
+  // Particles that leave the liquid for a step or two fly exactly in a reflection, unlike the liquid.
+  EXPECT_LT(worst, splitting == Splitting::reflection ? g * dt * dt : 1e-9) << Dim << "D";
 }
 
 TEST_P(EveryScheme, FreeFallKeepsTheShape) {
   expect_free_fall<2>(GetParam(), Splitting::lie);
   expect_free_fall<2>(GetParam(), Splitting::midpoint);
+  expect_free_fall<2>(GetParam(), Splitting::reflection);
   expect_free_fall<3>(GetParam(), Splitting::lie);
 }
 
@@ -89,7 +92,7 @@ TEST_P(EveryScheme, LonelyParticleFallsLikeAStone) {
     EXPECT_NEAR(flow.particles().velocity(0)[0], 0.01, 1e-9);
   }
   EXPECT_GT(ballistic, 5);
-  EXPECT_NEAR(flow.solver.transfer_loss(), 0, 1e-9); // gravity's work is not the transfer's
+  EXPECT_NEAR(flow.solver.ledger()->transfer_loss(), 0, 1e-9); // gravity's work is not the transfer's
   EXPECT_NEAR(flow.particles().position(0)[0], 0.313 + 0.01 * 60 * dt, 1e-9);
 }
 
@@ -139,7 +142,7 @@ TEST_P(EveryScheme, MomentumOfAPeriodicBox) {
 
 /// A velocity that is all gradient is gone after one step, whichever way the step is split.
 TEST_P(EveryScheme, ProjectionTakesAGradientAway) {
-  for (const Splitting splitting : {Splitting::lie, Splitting::midpoint}) {
+  for (const Splitting splitting : {Splitting::lie, Splitting::midpoint, Splitting::reflection}) {
     Settings s = periodic_box(32, 1);
     s.transfer.scheme = GetParam();
     s.time.splitting = splitting;

@@ -183,7 +183,7 @@ template <int Dim> void expect_still(int cells, int scheme, Splitting splitting,
 
 TEST(StillPoolWithSolids, StaysStillIn2D) {
   for (const int scheme : {pic, flip, rpic, apic, aflip})
-    for (const Splitting splitting : {Splitting::lie, Splitting::midpoint})
+    for (const Splitting splitting : {Splitting::lie, Splitting::midpoint, Splitting::reflection})
       expect_still<2>(32, scheme, splitting, 1e-9);
 }
 

@@ -9,8 +9,11 @@ namespace {
 
 constexpr double depth = 0.5, gravity = 9.81, density = 1000;
 
-template <int Dim> Flow<Dim> pool(int cells, int scheme, KernelName kernel, Splitting splitting = Splitting::lie) {
+template <int Dim>
+Flow<Dim> pool(int cells, int scheme, KernelName kernel, Splitting splitting = Splitting::lie,
+               Wall side = Wall::free_slip) {
   Settings s = box({cells, cells, cells}, 1.0 / cells, Dim);
+  s.walls.axis = {side, side == Wall::periodic ? Wall::free_slip : side, side};
   s.transfer.scheme = scheme;
   s.transfer.kernel = kernel;
   s.time.splitting = splitting;
@@ -40,7 +43,7 @@ class StillPool : public testing::TestWithParam<std::tuple<int, KernelName>> {};
 
 TEST_P(StillPool, StaysStill) {
   const auto [scheme, kernel] = GetParam();
-  for (const Splitting splitting : {Splitting::lie, Splitting::midpoint}) {
+  for (const Splitting splitting : {Splitting::lie, Splitting::midpoint, Splitting::reflection}) {
     auto flow = pool<2>(32, scheme, kernel, splitting);
     flow.run_to(1.5);
     EXPECT_LT(flow.max_speed(), 1e-6);
@@ -58,12 +61,25 @@ INSTANTIATE_TEST_SUITE_P(All, StillPool,
                                   std::string(kernel_options()[static_cast<std::size_t>(std::get<1>(run.param))].name);
                          });
 
-TEST(StillPool3D, StaysStill) {
-  auto flow = pool<3>(12, apic, KernelName::linear);
+template <int Dim> void stays_still_beside(Wall side, KernelName kernel) {
+  auto flow = pool<Dim>(Dim == 2 ? 16 : 8, apic, kernel, Splitting::lie, side);
   flow.run_to(1);
   EXPECT_LT(flow.max_speed(), 1e-6);
   EXPECT_LT(pressure_error(flow), 1e-6);
 }
+
+class StillPoolWalls : public testing::TestWithParam<std::tuple<Wall, KernelName>> {};
+
+TEST_P(StillPoolWalls, StaysStill) {
+  const auto [side, kernel] = GetParam();
+  stays_still_beside<2>(side, kernel);
+  stays_still_beside<3>(side, kernel);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, StillPoolWalls,
+                         testing::Combine(testing::Values(Wall::free_slip, Wall::no_slip, Wall::periodic),
+                                          testing::Values(KernelName::linear, KernelName::quadratic,
+                                                          KernelName::cubic)));
 
 TEST(StillPool, VoxelSurfaceLiesHalfACellTooHigh) {
   Settings s = box({16, 16, 16}, 1.0 / 16);

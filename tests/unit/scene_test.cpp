@@ -123,7 +123,7 @@ TEST(Scene, SaysWhatIsWrongWithABody) {
       {"shape = \"disc\"\ncentre = [0, 0]\nradius = 1\nvelocity = { rotaton = 3, strain = 1 }",
        "s.toml:5:14: unknown key \"rotaton\" in a velocity; did you mean \"rotation\"?"},
       {"shape = \"disc\"\ncentre = [0, 0]\nradius = 1\nvelocity = { rotation = 3, strain = 1 }",
-       "s.toml:5:1: a velocity needs one of \"rotation\", \"strain\", \"swirl\""},
+       "s.toml:5:1: a velocity needs one of \"rotation\", \"strain\", \"swirl\", \"random\""},
       {"shape = \"disc\"\ncentre = [0, 0]\nradius = 1\nvelocity = [\"sin(\", 0]",
        "s.toml:5:13: the formula \"sin(\" cannot be read"},
   };
@@ -165,6 +165,24 @@ TEST(Scene, IsFoundInTheFolderThatTheEnvironmentNames) {
   EXPECT_EQ(find_asset("scenes", "dam_break"), root + "/scenes/dam_break.toml");
   unsetenv("FLIPBOOK_ASSETS");
   EXPECT_EQ(find_asset("scenes", "nothing"), std::nullopt);
+}
+
+TEST(Scene, MayDifferInSpace) {
+  const std::string text =
+      "grid.cells = [32, 32]\ntime.cfl = 0.25\n[in_3d]\ngrid.cells = [16, 16]\nview.zoom = 2\n" + pool;
+  const auto cells = [&](std::vector<Assignment> changes) {
+    return parse_scene(text, "tank.toml", changes).settings.grid.cells;
+  };
+  const Assignment space{"dim", 3.0, {}}, own{"grid.cells", std::vector<double>{8, 8}, {}};
+  EXPECT_EQ(cells({})[0], 32);
+  EXPECT_EQ(cells({space}), (std::array{16, 16, 16}));
+  EXPECT_EQ(cells({space, own}), (std::array{8, 8, 8})) << "what a study says wins";
+  EXPECT_EQ(parse_scene("dim = 3\n" + text, "tank.toml").settings.grid.cells[2], 16);
+  EXPECT_TRUE(parse_scene(text, "tank.toml").view.empty());
+  EXPECT_EQ(parse_scene(text, "tank.toml", std::vector{space}).view.size(), 1U);
+  EXPECT_EQ(parse_scene(text, "tank.toml", std::vector{space}).settings.time.cfl, 0.25);
+  EXPECT_EQ(message_of([&] { (void)parse_scene("in_3d = 5\n" + pool, "tank.toml"); }),
+            "tank.toml:1:1: what differs in 3D is written as a table, [in_3d]");
 }
 
 /// Every scene that ships can be read and seeded in both dimensions and says what it is.

@@ -142,6 +142,34 @@ TEST(Seeding, KnowsTheMotionsByName) {
   }
 }
 
+/// Fixed by its seed, within its bound, continuous, and the same on both sides of the domain.
+TEST(Seeding, RandomVelocitiesAreContinuousAndPeriodic) {
+  const Domain domain{3, {1, 2, 0.5}, {}};
+  const auto v = random_velocity(3, 0.1, 7), other = random_velocity(3, 0.1, 8);
+  double largest = 0, mean_square = 0, along = 0;
+  constexpr int n = 2000;
+  for (int i = 0; i < n; ++i) {
+    const auto number = [&](std::uint64_t c) { return uniform(5, static_cast<std::uint64_t>(i), c); };
+    const Point x{number(0), 2 * number(1), 0.5 * number(2)}, there = v->at(x, domain);
+    const Point beyond = v->at({x[0] + 1, x[1] - 2, x[2] + 0.5}, domain),
+                near = v->at({x[0] + 1e-9, x[1], x[2]}, domain);
+    for (std::size_t d = 0; d < 3; ++d) {
+      largest = std::max(largest, std::abs(there[d]));
+      mean_square += there[d] * there[d] / (3 * n);
+      EXPECT_NEAR(beyond[d], there[d], 1e-12);
+      EXPECT_NEAR(near[d], there[d], 1e-6);
+    }
+    along += there[0] * there[1] / n; // components know nothing of each other
+    EXPECT_NE(other->at(x, domain), there);
+  }
+  EXPECT_LE(largest, 3);
+  EXPECT_GT(largest, 2);
+  // 9/3 at the corners; the mean square of a linear interpolation is 2/3 of that on each axis.
+  EXPECT_NEAR(mean_square, 3 * 8.0 / 27, 0.1);
+  EXPECT_NEAR(along, 0, 0.1);
+  EXPECT_EQ(v->at({0.1, 0.2, 0}, {2, {1, 2, 0.5}, {}})[2], 0) << "none out of the plane";
+}
+
 TEST(Seeding, RefusesNoneAndTooMany) {
   EXPECT_EQ(message_of([] { (void)seed<2, float>("[[body]]\nshape = \"ball\"\ncentre = [5, 5]\nradius = 1\n"); }),
             "scene \"test\": no particle starts inside the domain");

@@ -10,6 +10,22 @@
 namespace flipbook {
 namespace {
 
+/// Two quantities, one stage.
+LedgerTable example_ledger() {
+  using enum LedgerTable::Claim;
+  LedgerTable l;
+  l.quantities = {{"kinetic", "kinetic", "J/m", 0.1, 0.2, true},
+                  {"angular_momentum_z", "L_z", "kg m^2/s", 1, 2, false}};
+  l.stages = {{"p2g", "P2G"}};
+  l.step = {0.1, -1e-300};
+  l.total = {1.0 / 3, -2};
+  l.claims = {holds, fails};
+  l.energy_in = 0.7;
+  l.step_in = 0.3;
+  l.accounts = {{7, 0.25, {1, 2}, {3, 4}}, {9, 0.5, {5, 6}, {7, 8}}};
+  return l;
+}
+
 /// Every field differs from its default.
 Snapshot example() {
   Snapshot s;
@@ -48,6 +64,7 @@ Snapshot example() {
        "PIC",
        "FLIP"}};
   s.notes = {"L is not expected to hold", "second\nline"};
+  s.watermark = "WITH A MISTAKE: \"late\" walls";
   s.frame = 12;
   s.time = 0.1 + 0.2;
   s.steps = 345;
@@ -72,6 +89,7 @@ Snapshot example() {
   s.solids[0].surface = std::make_shared<TriangleMesh>(TriangleMesh{{0, 0, 0, 1, 0, 0, 0, 1.5F, 0}, {0, 1, 2}, {0, 1}});
   s.solids[1] = {s.solids[0].surface, {{0, 1, 0, -1, 0, 0, 0, 0, 1}, {0.1, 0.2, 0.3}}};
   s.history = std::make_shared<History>(History{{0, 0.5F}, {{"kinetic", "J", {1, 2}}, {"total", "J", {3, 4}}}});
+  s.ledger = std::make_shared<LedgerTable>(example_ledger());
   return s;
 }
 
@@ -105,6 +123,7 @@ TEST(SnapshotFile, HoldsEveryFieldExactly) {
   ASSERT_EQ(a.parameters.size(), b.parameters.size());
   for (std::size_t i = 0; i < a.parameters.size(); ++i) expect_equal(a.parameters[i], b.parameters[i]);
   EXPECT_EQ(a.notes, b.notes);
+  EXPECT_EQ(a.watermark, b.watermark);
   EXPECT_EQ(a.frame, b.frame);
   EXPECT_EQ(a.time, b.time);
   EXPECT_EQ(a.steps, b.steps);
@@ -150,6 +169,55 @@ TEST(SnapshotFile, HoldsEveryFieldExactly) {
   EXPECT_EQ(b.history->columns[0].unit, "J");
 }
 
+TEST(SnapshotFile, HoldsTheLedgerExactly) {
+  const TemporaryFile file("snapshot.txt");
+  save_snapshot(example(), file.path());
+  const Snapshot s = load_snapshot(file.path());
+  ASSERT_TRUE(s.ledger);
+  const LedgerTable a = example_ledger(), &b = *s.ledger;
+  ASSERT_EQ(b.quantities.size(), 2U);
+  for (std::size_t q = 0; q < 2; ++q) {
+    EXPECT_EQ(b.quantities[q].name, a.quantities[q].name);
+    EXPECT_EQ(b.quantities[q].label, a.quantities[q].label);
+    EXPECT_EQ(b.quantities[q].unit, a.quantities[q].unit);
+    EXPECT_EQ(b.quantities[q].start, a.quantities[q].start);
+    EXPECT_EQ(b.quantities[q].now, a.quantities[q].now);
+    EXPECT_EQ(b.quantities[q].defined, a.quantities[q].defined);
+  }
+  ASSERT_EQ(b.stages.size(), 1U);
+  EXPECT_EQ(b.stages[0].name, "p2g");
+  EXPECT_EQ(b.stages[0].label, "P2G");
+  EXPECT_EQ(b.step, a.step);
+  EXPECT_EQ(b.total, a.total);
+  EXPECT_EQ(b.claims, a.claims);
+  EXPECT_EQ(b.energy_in, a.energy_in);
+  EXPECT_EQ(b.step_in, a.step_in);
+  ASSERT_EQ(b.accounts.size(), 2U);
+  EXPECT_EQ(b.accounts[1].step, 9U);
+  EXPECT_EQ(b.accounts[1].time, 0.5);
+  EXPECT_EQ(b.accounts[1].held, a.accounts[1].held);
+  EXPECT_EQ(b.accounts[1].changes, a.accounts[1].changes);
+}
+
+TEST(SnapshotFile, RefusesALedgerThatDoesNotAddUp) {
+  const auto refused = [](auto&& spoil) {
+    LedgerTable l = example_ledger();
+    spoil(l);
+    Snapshot s = example();
+    s.ledger = std::make_shared<LedgerTable>(l);
+    const TemporaryFile file("snapshot.txt");
+    save_snapshot(s, file.path());
+    EXPECT_THROW((void)load_snapshot(file.path()), UserError);
+  };
+  refused([](LedgerTable& l) { l.step.pop_back(); });
+  refused([](LedgerTable& l) { l.total.push_back(0); });
+  refused([](LedgerTable& l) { l.claims.pop_back(); });
+  refused([](LedgerTable& l) { l.claims[0] = static_cast<LedgerTable::Claim>(3); });
+  refused([](LedgerTable& l) { l.stages.clear(); });
+  refused([](LedgerTable& l) { l.accounts[0].held.clear(); });
+  refused([](LedgerTable& l) { l.accounts[1].changes.pop_back(); });
+}
+
 TEST(SnapshotFile, IsTheSameTextWhenSavedAgain) {
   const TemporaryFile first("first.txt"), second("second.txt");
   save_snapshot(example(), first.path());
@@ -163,6 +231,8 @@ TEST(SnapshotFile, CanBeEmpty) {
   const Snapshot s = load_snapshot(file.path());
   EXPECT_EQ(s.particles(), 0U);
   EXPECT_FALSE(s.history);
+  EXPECT_FALSE(s.ledger);
+  EXPECT_EQ(file.content().find("ledger"), std::string::npos) << "files from before the ledger stay as they are";
 }
 
 TEST(SnapshotFile, ThatCannotBeWrittenIsTheMachinesFault) {
@@ -176,6 +246,11 @@ TEST(Snapshot, CountsTheBytesItHolds) {
   s.channels.push_back({"speed", "m/s", 0, 1, false, std::vector<float>(500)});
   s.lattices.push_back({"u", {10, 10, 1}, {0, 0, 0}, 1, std::vector<float>(100)});
   EXPECT_GE(s.bytes(), empty + 4 * 1600);
+  const std::size_t without = s.bytes();
+  auto ledger = std::make_shared<LedgerTable>();
+  ledger->accounts.assign(100, {1, 0.5, std::vector<double>(6), std::vector<double>(48)});
+  s.ledger = ledger;
+  EXPECT_GE(s.bytes(), without + 100 * 8 * 54);
 }
 
 } // namespace

@@ -138,6 +138,14 @@ TEST(Timeline, MovesTheViewAndAsksForAllThatItWillShow) {
   const FrameRequest request = r.request();
   EXPECT_EQ(request.channels, (std::vector<std::string>{"speed", "vorticity"}));
   EXPECT_TRUE(request.faces);
+  EXPECT_FALSE(request.noise);
+}
+
+TEST(Timeline, AsksForTheNoiseThatAKeyPlots) {
+  const Resolved r = with_keys("[[key]]\nt = 1\nview.plots = [\"noise\"]\nview.ledger = \"step\"\n");
+  EXPECT_TRUE(r.request().noise);
+  EXPECT_EQ(r.timeline.view(0.9, r.view).ledger, render::LedgerView::off);
+  EXPECT_EQ(r.timeline.view(1, r.view).ledger, render::LedgerView::step);
 }
 
 TEST(Timeline, RoundsWholeNumbers) {

@@ -10,7 +10,7 @@
 
 namespace flipbook {
 
-/// One row of a history: names, units and values, always in the same order.
+/// One row of a history: names, units and values. An entry that some rows lack is a gap in its curve (NaN).
 struct HistoryRow {
   struct Entry {
     std::string name, unit;

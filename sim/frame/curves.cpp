@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "sim/frame/recording.h"
+#include "sim/frame/curves.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 
 namespace flipbook {
 namespace {
+
+constexpr float missing = std::numeric_limits<float>::quiet_NaN();
 
 /// Least and most of the values without the outermost at either end, one in two hundred.
 std::pair<double, double> bulk(std::vector<float> values) {
@@ -33,10 +36,14 @@ void append(History& history, double time, const HistoryRow& row) {
   if (!history.t.empty() && static_cast<float>(time) <= history.t.back()) return;
   if (history.t.size() == History::capacity) thin_out(history);
   history.t.push_back(static_cast<float>(time));
-  if (history.columns.empty())
-    for (const HistoryRow::Entry& e : row.entries) history.columns.push_back({e.name, e.unit, {}});
-  for (std::size_t c = 0; c < row.entries.size(); ++c)
-    history.columns[c].y.push_back(static_cast<float>(row.entries[c].value));
+  for (const HistoryRow::Entry& e : row.entries) {
+    const auto named = [&](const History::Column& c) { return c.name == e.name; };
+    auto column = std::find_if(history.columns.begin(), history.columns.end(), named);
+    if (column == history.columns.end()) column = history.columns.insert(column, {e.name, e.unit, {}});
+    column->y.resize(history.t.size() - 1, missing);
+    column->y.push_back(static_cast<float>(e.value));
+  }
+  for (History::Column& column : history.columns) column.y.resize(history.t.size(), missing);
 }
 
 void ChannelRanges::widen(Channel& c) {
