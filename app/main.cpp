@@ -32,8 +32,15 @@ const std::array table = std::to_array<CommandEntry>({
     {"still", "Single pictures at given times", "Examples:\n  flipbook still drop --at 0.2,0.4,0.6", make_still},
     {"verify", "Check the conservation properties of the transfers, one row for each",
      "Examples:\n  flipbook verify\n  flipbook verify --only angular --json", make_verify},
-    {"new", "Write a scene or a study to start from",
-     "Examples:\n  flipbook new scene splash\n  flipbook new study splash_study --scene splash.toml", make_new},
+    {"validate", "Run flows with a known solution, and write a table, CSV files and a figure of each",
+     "Examples:\n  flipbook validate taylor_green\n  flipbook validate dam_break --schemes flip:0.99,apic --cells "
+     "96,192\n"
+     "  flipbook validate --all -o out/validate",
+     make_validate},
+    {"new", "Write a scene, a study or a scheme to start from",
+     "Examples:\n  flipbook new scene splash\n  flipbook new study splash_study --scene splash.toml\n"
+     "  flipbook new scheme mine",
+     make_new},
     {"import", "Turn the input of the fluid notes' program into a scene",
      "Examples:\n  flipbook import fluid.json\n  flipbook import fluid.json --preset tutorial --study", make_import},
     {"list", "List every name: scenes, schemes, shapes, parameters, ...",

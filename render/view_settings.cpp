@@ -3,12 +3,15 @@
 
 #include "render/views/colour_by.h"
 
+#include <algorithm>
 #include <array>
 
 namespace flipbook::render {
 
 void ViewSettings::describe(ParameterVisitor& v) {
   static constexpr std::array<Option, 2> themes{{{"light", "for paper and bright rooms"}, {"dark", "for screens"}}};
+  static constexpr std::array<Option, 3> ledgers{
+      {{"off", "no table"}, {"total", "since the start"}, {"step", "in the last step"}}};
   v.group("view", [&] {
     v.choice({.name = "theme", .help = "Colours of the page."}, theme, themes);
     v.choice({.name = "colour", .help = "What particles are coloured by."}, colour, colour_options());
@@ -32,12 +35,16 @@ void ViewSettings::describe(ParameterVisitor& v) {
     v.names({.name = "panel",
              .help = "Parameters in the panel, by path or last part; empty: the ones for teaching that apply."},
             panel);
-    v.names({.name = "plots", .help = "Curves over time to plot, by the name of the ledger's column."}, plots);
+    v.names({.name = "plots",
+             .help = "Curves over time to plot, by the name of the ledger's column; lost: one for each stage."},
+            plots);
     v.real({.name = "plot_height",
             .help = "Height of the plots as a share of the picture; 0: no plots.",
             .min = 0,
             .max = 0.6},
            plot_height);
+    v.choice({.name = "ledger", .help = "A table beside each pane: what every stage of a step changed."}, ledger,
+             ledgers);
   });
 }
 
@@ -68,6 +75,7 @@ FrameRequest ViewSettings::request() const {
   const ColourQuantity& q = chosen_quantity(*this);
   if (q.kind != MapKind::cyclic) r.channels.emplace_back(q.name); // ids are always published
   r.faces = arrows;
+  r.noise = plot_height > 0 && std::find(plots.begin(), plots.end(), "noise") != plots.end();
   return r;
 }
 

@@ -12,6 +12,8 @@
 namespace flipbook::render {
 
 enum class Theme { light, dark };
+/// The table of the ledger beside or below each pane: none, what changed since the start, or in the last step.
+enum class LedgerView { off, total, step };
 
 struct ViewSettings {
   Theme theme = Theme::dark;
@@ -28,6 +30,7 @@ struct ViewSettings {
   std::vector<std::string> panel; ///< parameter paths (or last parts) to show; empty: the teach-level ones that apply
   std::vector<std::string> plots{"kinetic", "potential", "total", "transfer_loss"};
   double plot_height = 0.24; ///< share of the frame; 0: no plots
+  LedgerView ledger = LedgerView::off;
 
   void describe(ParameterVisitor& v);
   /// What the simulation must publish for these settings.

@@ -23,6 +23,7 @@ struct Argument {
     assignment, ///< path=value
     variation,  ///< path=value,value,... of what may differ between panes
     schemes,    ///< name[:number],...
+    mistake,    ///< of the bug museum
   };
   std::string name;
   Kind kind;
@@ -77,6 +78,7 @@ std::unique_ptr<Command> make_render();
 std::unique_ptr<Command> make_compare();
 std::unique_ptr<Command> make_still();
 std::unique_ptr<Command> make_verify();
+std::unique_ptr<Command> make_validate();
 std::unique_ptr<Command> make_list();
 std::unique_ptr<Command> make_info();
 std::unique_ptr<Command> make_import();

@@ -4,6 +4,7 @@
 #include "app/commands/option_list.h"
 #include "app/study/paths.h"
 #include "sim/frame/errors.h"
+#include "sim/museum/museum.h"
 #include "sim/scene/assets.h"
 #include "sim/scene/toml_reader.h"
 #include "sim/transfer/schemes.h"
@@ -108,6 +109,9 @@ void add_values(Collector& all, const Argument& value) {
   case assignment: return add_assignments(all, false);
   case variation: return add_assignments(all, true);
   case schemes: return add_schemes(all);
+  case mistake:
+    for (const museum::Exhibit& e : museum::exhibits()) all.add(std::string(e.name), std::string(e.wrong));
+    return all.add("mystery:1", "One of them, which is not told");
   }
 }
 

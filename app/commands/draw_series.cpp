@@ -23,11 +23,13 @@ std::size_t nearest(const std::vector<double>& times, double t) {
 } // namespace
 
 OpenedSeries RunOptions::opened(const std::string& folder) const {
+  if (!mistake_.empty()) throw UserError("--with-mistake: a series of particle files is drawn, not simulated");
   const auto refuse = [](const std::string& option, const std::string& value) {
     if (!value.empty()) throw UserError(option + ": the particles of a series are in files already");
   };
   refuse("--particles", particles_);
   refuse("--save-study", save_study_);
+  if (!ledger_.empty()) throw UserError("--ledger: a series of particle files has no ledger: nothing is simulated");
   (void)session_options(); // their mistakes come before the work
   return open_series(folder, changes());
 }
@@ -35,7 +37,7 @@ OpenedSeries RunOptions::opened(const std::string& folder) const {
 int RunOptions::draw(const OpenedSeries& series, const Schedule& schedule,
                      std::vector<std::unique_ptr<Sink>> pictures) const {
   const std::string said = "# Drawn from a series of particle files, not simulated.\n" + series.study;
-  return finish(series.resolved, said, schedule, {std::move(pictures), nullptr}, series.warnings);
+  return finish(series.resolved, said, schedule, {std::move(pictures), nullptr, nullptr}, series.warnings);
 }
 
 int RunOptions::draw_series(const std::string& folder) const {

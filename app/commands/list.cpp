@@ -9,6 +9,7 @@
 #include "sim/files/write_particles.h"
 #include "sim/frame/errors.h"
 #include "sim/kernels/kernels.h"
+#include "sim/museum/museum.h"
 #include "sim/scene/read_scene.h"
 #include "sim/scene/read_shape.h"
 #include "sim/transfer/schemes.h"
@@ -150,19 +151,41 @@ void list_commands() {
   print(rows);
 }
 
+void list_mistakes() {
+  Rows rows{{"NAME", "SHOWN BY", "WHAT IS WRONG"}};
+  for (const museum::Exhibit& e : museum::exhibits())
+    rows.push_back({std::string(e.name), std::string(e.shows), std::string(e.wrong)});
+  rows.push_back({"mystery:N", "the ledger, or a curve", "One of them, which is not told: --reveal N tells."});
+  print(rows);
+}
+
+/// The mistakes in the order in which mystery:N tries them, up to the first that can act in any run.
+void reveal(const std::string& number) {
+  const museum::Choice choice = museum::parse_choice("mystery:" + number);
+  std::cout << choice.option() << " is the first of these that can act in one of the panes:\n";
+  Rows rows;
+  for (const std::size_t i : choice.candidates) {
+    const museum::Exhibit& e = museum::exhibits()[i];
+    rows.push_back({std::string(e.name), std::string(e.wrong)});
+    if (e.anywhere) break;
+  }
+  print(rows);
+}
+
 struct Subject {
   const char* name;
   void (*print)();
 };
-constexpr std::array<Subject, 9> subjects{{{"scenes", list_scene_names},
-                                           {"studies", list_study_names},
-                                           {"schemes", list_schemes},
-                                           {"kernels", list_kernels},
-                                           {"shapes", list_shape_names},
-                                           {"formats", list_formats},
-                                           {"parameters", list_parameters},
-                                           {"views", list_views},
-                                           {"commands", list_commands}}};
+constexpr std::array<Subject, 10> subjects{{{"scenes", list_scene_names},
+                                            {"studies", list_study_names},
+                                            {"schemes", list_schemes},
+                                            {"kernels", list_kernels},
+                                            {"shapes", list_shape_names},
+                                            {"formats", list_formats},
+                                            {"mistakes", list_mistakes},
+                                            {"parameters", list_parameters},
+                                            {"views", list_views},
+                                            {"commands", list_commands}}};
 
 std::vector<std::string> subject_names() {
   std::vector<std::string> names;
@@ -177,15 +200,20 @@ public:
     for (const Subject& s : subjects)
       help += (help.empty() ? "" : &s == &subjects.back() ? " or " : ", ") + std::string(s.name);
     v.positional({"WHAT", Argument::Kind::choice, subject_names()}, what_, help);
+    v.text("--reveal", reveal_, "N", "With mistakes: which one is mystery:N");
   }
   int run() override {
+    if (!reveal_.empty()) {
+      if (what_ != "mistakes") throw UserError("--reveal belongs to flipbook list mistakes");
+      return reveal(reveal_), 0;
+    }
     for (const Subject& s : subjects)
       if (what_ == s.name) return s.print(), 0;
     throw UserError("there is no list of \"" + what_ + "\"", {}, nearest_name(what_, subject_names()));
   }
 
 private:
-  std::string what_;
+  std::string what_, reveal_;
 };
 
 } // namespace

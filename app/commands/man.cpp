@@ -31,7 +31,7 @@ constexpr std::array<Item, 5> files{
      {"scenes/NAME.toml", "A scene: a liquid at its start. scenes/annotated.toml documents every key."},
      {"studies/NAME.toml", "A study: variants of a scene, a timeline, the view. studies/annotated.toml documents "
                            "every key."},
-     {"templates/scene.toml, templates/study.toml", "What flipbook new starts from."},
+     {"templates/scene.toml, templates/study.toml, templates/scheme.h.in", "What flipbook new starts from."},
      {"out/", "Where results go without -o, in the current folder."}}};
 
 constexpr std::array<Item, 4> variables{

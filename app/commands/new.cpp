@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// flipbook new scene|study NAME: a commented file to start from, which runs as it is.
+// flipbook new scene|study|scheme NAME: a commented file to start from, which runs as it is.
 #include "app/commands/command.h"
+#include "app/commands/new_scheme.h"
 #include "app/commands/text_output.h"
 #include "app/encode/staging.h"
 #include "app/study/relative_path.h"
@@ -35,24 +36,26 @@ bool is_sensible(const std::string& name) {
          std::all_of(name.begin(), name.end(), fine);
 }
 
-void replace_all(std::string& text, const std::string& mark, const std::string& by) {
-  for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + by.size()))
-    text.replace(at, mark.size(), by);
-}
-
 class New final : public Command {
 public:
   void options(OptionVisitor& v) override {
-    v.positional({"WHAT", Argument::Kind::choice, {"scene", "study"}}, what_, "scene or study");
-    v.positional("NAME", name_, "What it is called; the file is NAME.toml");
+    v.positional({"WHAT", Argument::Kind::choice, {"scene", "study", "scheme"}}, what_, "scene, study or scheme");
+    v.positional("NAME", name_, "What it is called; the file is NAME.toml, or of a scheme NAME.h");
     v.text("--scene", scene_, {"SCENE", Argument::Kind::scene},
            "The scene of a study: a name or a path; dam_break if not given");
-    v.text("-o,--output", output_, {"FILE.toml|FOLDER/", Argument::Kind::file},
-           "Where to write it; NAME.toml in the current folder if not given");
+    v.text(
+        "-o,--output", output_, {"FILE|FOLDER/", Argument::Kind::file},
+        "Where to write it; the current folder if not given, for a scheme sim/transfer/ of the source tree around it");
     v.flag("--force", force_, "Replace a file that is there");
   }
 
   int run() override {
+    if (what_ == "scheme") {
+      if (!scene_.empty()) throw UserError("--scene belongs to flipbook new study");
+      if (force_) throw UserError("--force belongs to flipbook new scene and study: a scheme replaces no file");
+      new_scheme(name_, output_);
+      return 0;
+    }
     const What& kind = chosen();
     if (name_.ends_with(".toml")) name_.resize(name_.size() - 5);
     if (!is_sensible(name_)) throw UserError("\"" + name_ + "\" is no name for a file: use letters, digits, _ - and .");
@@ -73,7 +76,8 @@ private:
       if (what_ == k.name) return k;
       names.emplace_back(k.name);
     }
-    throw UserError("new makes a scene or a study, not \"" + what_ + "\"", {}, nearest_name(what_, names));
+    names.emplace_back("scheme");
+    throw UserError("new makes a scene, a study or a scheme, not \"" + what_ + "\"", {}, nearest_name(what_, names));
   }
 
   /// The scene as the study must call it: the path of a file is relative to the study's.

@@ -5,6 +5,7 @@
 #include "app/commands/variants.h"
 #include "app/encode/staging.h"
 #include "app/study/memory.h"
+#include "app/study/with_mistake.h"
 #include "sim/frame/errors.h"
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <thread>
 
 namespace flipbook::app {
@@ -48,6 +50,18 @@ render::Backend parse_backend(const std::string& name) {
 
 void print_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& w : warnings) std::cerr << "warning: " << w << '\n';
+}
+
+/// "pane 2 makes a mistake on purpose"
+std::string panes_with_mistake(const Resolved& r) {
+  std::string panes;
+  bool several = false;
+  for (std::size_t i = 0; i < r.variants.size(); ++i) {
+    if (!r.variants[i].mistake) continue;
+    several = !panes.empty();
+    panes += (several ? ", " : "") + std::to_string(i + 1);
+  }
+  return (several ? "panes " : "pane ") + panes + (several ? " make" : " makes") + " a mistake on purpose";
 }
 
 std::string folder_of(const std::string& file) {
@@ -104,8 +118,12 @@ void RunOptions::describe(OptionVisitor& v, const std::string& outputs) {
     v.text("--particles", particles_, {"FOLDER", Argument::Kind::folder},
            "Write the particles of every frame there; without -o nothing is drawn");
     v.text("--particle-format", particle_format_, one_of(formats), "Format of these files");
+    v.text("--ledger", ledger_, {"FILE.csv", Argument::Kind::file},
+           "Write what every stage changed as a table; without -o nothing is drawn");
   }
   v.text("--save-study", save_study_, {"FILE", Argument::Kind::file}, "Write what was run as a study");
+  v.text("--with-mistake", mistake_, {"NAME|mystery:N", Argument::Kind::mistake},
+         "Beside each pane the same with a classic mistake (flipbook list mistakes)");
   v.flag("-q,--quiet", quiet_, "Print nothing but the paths of the results");
 }
 
@@ -156,8 +174,8 @@ SessionOptions RunOptions::session_options() const {
 
 int RunOptions::make_video(Study study) const {
   const auto video = [&](const Resolved& r, const std::string& toml) {
-    const bool particles_only = outputs_.empty() && !particles_.empty();
-    return video_sinks(outputs_.empty() && !particles_only ? std::vector{"out/" + r.name + ".mp4"} : outputs_, r, toml);
+    const bool tables_only = outputs_.empty() && !(particles_.empty() && ledger_.empty());
+    return video_sinks(outputs_.empty() && !tables_only ? std::vector{"out/" + r.name + ".mp4"} : outputs_, r, toml);
   };
   return run(
       std::move(study), [](const Resolved& r) { return Schedule::video(r.output.fps, r.scale, r.frames); }, video,
@@ -174,20 +192,32 @@ int RunOptions::make_stills(Study study, const std::vector<double>& times) const
       false);
 }
 
+/// What the option names, or else the study.
+std::unique_ptr<LedgerFile> RunOptions::ledger_file(const Resolved& resolved) const {
+  if (!ledger_.empty()) return std::make_unique<LedgerFile>(ledger_, "--ledger", resolved);
+  if (!resolved.output.ledger.empty())
+    return std::make_unique<LedgerFile>(resolved.output.ledger, "output.ledger", resolved);
+  return nullptr;
+}
+
 int RunOptions::run(Study study, const MakeSchedule& make_schedule, const MakeSinks& make_sinks, bool video) const {
   (void)session_options(); // their mistakes come before the work
-  const Resolved resolved = resolve(study);
+  std::optional<museum::Choice> mistake;
+  if (!mistake_.empty()) mistake = museum::parse_choice(mistake_);
+  const Resolved resolved = resolve(mistake ? with_mistake(study, *mistake) : study);
+  const std::string head = mistake ? mistake_header(*mistake) : "";
   refuse_too_large(resolved);
   std::vector<std::string> warnings = drop_idle_keys(study, resolved);
+  if (mistake) warnings.insert(warnings.begin(), panes_with_mistake(resolved));
   if (video)
     for (std::string& w : late_keys(study, resolved)) warnings.push_back(std::move(w));
   for (std::string& w : long_run(resolved)) warnings.push_back(std::move(w));
-  const std::string toml = to_toml(study);
-  if (!save_study_.empty()) write_file(save_study_, to_toml(for_folder(study, folder_of(save_study_))));
-  Outputs outputs{make_sinks(resolved, toml), nullptr};
+  const std::string toml = head + to_toml(study);
+  if (!save_study_.empty()) write_file(save_study_, head + to_toml(for_folder(study, folder_of(save_study_))));
+  Outputs outputs{make_sinks(resolved, toml), nullptr, video ? ledger_file(resolved) : nullptr};
   if (!particles_.empty())
-    outputs.particles =
-        std::make_unique<SeriesWriter>(particles_, resolved, to_toml(for_folder(study, folder_of(particles_ + "/"))));
+    outputs.particles = std::make_unique<SeriesWriter>(particles_, resolved,
+                                                       head + to_toml(for_folder(study, folder_of(particles_ + "/"))));
   return finish(resolved, toml, make_schedule(resolved), std::move(outputs), warnings);
 }
 
@@ -196,6 +226,7 @@ int RunOptions::finish(const Resolved& resolved, const std::string& toml, const 
   std::vector<std::string> paths;
   for (const auto& sink : outputs.pictures) paths.push_back(sink->path().string());
   if (outputs.particles) paths.push_back(outputs.particles->folder().string());
+  if (outputs.ledger) paths.push_back(outputs.ledger->file().string());
   if (!quiet_) print_warnings(warnings);
   const Summary summary = run_session(resolved, toml, schedule, std::move(outputs), session_options());
   if (!quiet_) report(summary);

@@ -37,14 +37,15 @@ private:
   int run(Study study, const MakeSchedule& make_schedule, const MakeSinks& make_sinks, bool video) const;
   [[nodiscard]] std::vector<Assignment> changes() const;
   [[nodiscard]] SessionOptions session_options() const;
+  [[nodiscard]] std::unique_ptr<LedgerFile> ledger_file(const Resolved& resolved) const;
   [[nodiscard]] OpenedSeries opened(const std::string& folder) const;
   int draw(const OpenedSeries& series, const Schedule& schedule, std::vector<std::unique_ptr<Sink>> pictures) const;
   int finish(const Resolved& resolved, const std::string& toml, const Schedule& schedule, Outputs outputs,
              const std::vector<std::string>& warnings) const;
 
   std::vector<std::string> sets_, outputs_;
-  std::string dim_, cells_, frames_, duration_, fps_, size_, precision_, threads_, gl_ = "auto", save_study_,
-                                                                                   particles_, particle_format_;
+  std::string dim_, cells_, frames_, duration_, fps_, size_, precision_, threads_,
+      gl_ = "auto", save_study_, particles_, particle_format_, ledger_, mistake_;
   bool quiet_ = false;
 };
 

@@ -22,4 +22,9 @@ void refuse_to_replace(const fs::path& file, bool force) {
     throw UserError(file.string() + " exists; --force replaces it");
 }
 
+void replace_all(std::string& text, const std::string& mark, const std::string& by) {
+  for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + by.size()))
+    text.replace(at, mark.size(), by);
+}
+
 } // namespace flipbook::app

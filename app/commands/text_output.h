@@ -14,4 +14,7 @@ namespace flipbook::app {
 /// Throws UserError where something is there already, unless it shall be replaced.
 void refuse_to_replace(const std::filesystem::path& file, bool force);
 
+/// Puts `by` in the place of every `mark`.
+void replace_all(std::string& text, const std::string& mark, const std::string& by);
+
 } // namespace flipbook::app

@@ -21,10 +21,11 @@ namespace {
 using Results = std::vector<PropositionResult>;
 
 /// A section of the table.
-enum class Section { report, ours, must_fail };
+enum class Section { report, ours, must_fail, graded };
 
 Section section_of(const PropositionResult& r) {
   if (r.negative()) return Section::must_fail;
+  if (r.standing == Standing::graded) return Section::graded;
   return r.standing == Standing::ours ? Section::ours : Section::report;
 }
 
@@ -89,8 +90,11 @@ void print_line(const Line& l) {
   }
   std::printf("   %6s", bound("double").c_str());
   if (!negative) std::printf(" %6s", bound("single").c_str());
+  const bool graded = section_of(*l.first) == Section::graded;
   if (l.failed() == 0)
-    std::printf("   ok\n");
+    std::printf(graded ? "   holds\n" : "   ok\n");
+  else if (graded)
+    std::printf("   DOES NOT HOLD (in %td of %zu)\n", l.failed(), l.cases.size());
   else
     std::printf("   FAILED (%td of %zu)\n", l.failed(), l.cases.size());
 }
@@ -143,6 +147,10 @@ void print_section(const std::vector<Line>& lines, Section section, bool all) {
   case Section::ours:
     std::printf("\n%-70s%-15s%-16s%s\n", "OURS: WHAT IT LEAVES TO ITS READER", "nodes", "MAC faces", "at most");
     break;
+  case Section::graded:
+    std::printf("\n%-70s%-15s%-16s%s\n", "REPORT CARD: NOTHING IS CLAIMED, IT IS FOUND OUT", "nodes", "MAC faces",
+                "at most");
+    break;
   case Section::must_fail:
     std::printf("\n%-70s%6s  %6s   %s\n", "MUST FAIL (ok: it does)", "nodes", "MAC", "at least");
     break;
@@ -161,7 +169,8 @@ void print_table(const Results& results, std::uint64_t seed, bool all) {
       "The transfers that the solver runs, on random states (seed %llu). Relative errors: the worst over the linear,\n"
       "quadratic and cubic kernel in 2D and 3D; for what must fail the least.\n",
       static_cast<unsigned long long>(seed));
-  for (const Section s : {Section::report, Section::ours, Section::must_fail}) print_section(lines, s, all);
+  for (const Section s : {Section::report, Section::ours, Section::must_fail, Section::graded})
+    print_section(lines, s, all);
   print_legend(
       "Errors are relative to", results, [](const auto& r) { return r.quantity; },
       [](const auto& r) { return r.relative_to; });
@@ -170,7 +179,9 @@ void print_table(const Results& results, std::uint64_t seed, bool all) {
       [](const auto& r) { return r.negative() ? "must fail" : r.id.substr(0, 1); },
       [](const auto& r) { return r.reason; });
   const auto failed = std::count_if(results.begin(), results.end(), [](const auto& r) { return !r.passed; });
-  std::printf("\n%zu cases, %td failed\n", results.size(), failed);
+  const bool card =
+      std::all_of(results.begin(), results.end(), [](const auto& r) { return r.standing == Standing::graded; });
+  std::printf("\n%zu cases, %td %s\n", results.size(), failed, card ? "in which it does not hold" : "failed");
 }
 
 std::string json_number(double x) {

@@ -27,12 +27,14 @@ std::string build_level() {
 
 TextEntries text_entries(const Provenance& p) {
   // Bytes are promised for one instruction-set level, so the level belongs to the version.
-  return {{"flipbook:version", version() + " " + build_level()},
-          {"flipbook:frame", std::to_string(p.frame)},
-          {"flipbook:time", to_toml(Value(p.time))},
-          {"flipbook:seed", p.run->seeds},
-          {"flipbook:variants", p.variants},
-          {"flipbook:study", p.run->study}};
+  TextEntries entries{{"flipbook:version", version() + " " + build_level()},
+                      {"flipbook:frame", std::to_string(p.frame)},
+                      {"flipbook:time", to_toml(Value(p.time))},
+                      {"flipbook:seed", p.run->seeds},
+                      {"flipbook:variants", p.variants},
+                      {"flipbook:study", p.run->study}};
+  if (!p.run->mistake.empty()) entries.insert(entries.begin(), {"flipbook:mistake", p.run->mistake});
+  return entries;
 }
 
 } // namespace flipbook::app

@@ -13,8 +13,9 @@ namespace flipbook::app {
 
 /// The part that all pictures of a run share.
 struct RunProvenance {
-  std::string study; ///< the full study as TOML
-  std::string seeds; ///< "1", or the seed of each pane where they differ: "1, 2, 3"
+  std::string study;        ///< the full study as TOML
+  std::string seeds;        ///< "1", or the seed of each pane where they differ: "1, 2, 3"
+  std::string mistake = {}; ///< made on purpose: "WITH A MISTAKE: ..."; empty in a normal run
 };
 
 struct Provenance {

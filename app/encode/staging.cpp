@@ -42,16 +42,28 @@ Staging::~Staging() {
   for (auto p = made_.rbegin(); p != made_.rend(); ++p) fs::remove(*p, ignored); // only where empty
 }
 
-void Staging::write(const std::string& name, std::span<const std::uint8_t> bytes) const {
+void Staging::write(const std::string& name, std::span<const std::uint8_t> bytes, const char* mode) const {
   const auto close = [](std::FILE* f) { std::fclose(f); };
-  std::unique_ptr<std::FILE, decltype(close)> f(std::fopen(file(name).c_str(), "wb"), close);
+  std::unique_ptr<std::FILE, decltype(close)> f(std::fopen(file(name).c_str(), mode), close);
   if (!f) fail(folder_ / name, errno);
   if (std::fwrite(bytes.data(), 1, bytes.size(), f.get()) != bytes.size()) fail(folder_ / name, errno);
   if (std::fclose(f.release()) != 0) fail(folder_ / name, errno);
 }
 
+static std::span<const std::uint8_t> bytes_of(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+void Staging::write(const std::string& name, std::span<const std::uint8_t> bytes) const {
+  write(name, bytes, "wb");
+}
+
 void Staging::write(const std::string& name, std::string_view text) const {
-  write(name, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+  write(name, bytes_of(text), "wb");
+}
+
+void Staging::append(const std::string& name, std::string_view text) const {
+  write(name, bytes_of(text), "ab");
 }
 
 void Staging::commit() {

@@ -25,10 +25,14 @@ public:
   /// Writes that file whole. Throws MachineError (full disk) that names the final file.
   void write(const std::string& name, std::span<const std::uint8_t> bytes) const;
   void write(const std::string& name, std::string_view text) const;
+  /// Adds to the end of that file, which need not be there yet.
+  void append(const std::string& name, std::string_view text) const;
   /// Moves every file to its final name, replacing what was there.
   void commit();
 
 private:
+  void write(const std::string& name, std::span<const std::uint8_t> bytes, const char* mode) const;
+
   std::filesystem::path folder_, hidden_;
   std::vector<std::filesystem::path> made_; ///< folders that did not exist, outermost first
 };

@@ -7,7 +7,7 @@
 #include "sim/files/surface_ply.h"
 #include "sim/frame/errors.h"
 #include "sim/frame/particle_order.h"
-#include "sim/frame/recording.h"
+#include "sim/frame/curves.h"
 #include "sim/scene/read_scene.h"
 
 #include <algorithm>
@@ -121,6 +121,7 @@ void Playback::describe(std::uint64_t frame, Snapshot& s) {
   s.kernel = v.kernel;
   s.solver = v.solver;
   s.notes = v.notes;
+  s.watermark = v.watermark;
   if (has_parameters_) s.parameters = parameters_of(settings_);
   s.frame = frame;
   s.time = recording_->times[frame];

@@ -125,6 +125,7 @@ private:
     v.solver = table.text("solver", "");
     if (const Node* notes = table.optional("notes"))
       for (const Node& n : notes->items) v.notes.push_back(n.text);
+    v.watermark = table.text("watermark", "");
     read_domain(table, v);
     const std::size_t frames = series_.times.size();
     for (const double n : list_of(table, "steps", frames, 0, most_steps))

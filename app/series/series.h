@@ -37,6 +37,7 @@ struct SeriesVariant {
   std::string folder; ///< below that of the series
   std::string label, title, scheme, kernel, solver;
   std::vector<std::string> notes;
+  std::string watermark;              ///< of a run with a mistake on purpose
   std::vector<Assignment> parameters; ///< of the solver at the first frame
   /// What was different from some frame on.
   struct Change {

@@ -144,6 +144,7 @@ void SeriesWriter::begin(std::span<const std::shared_ptr<const Snapshot>> varian
     v.kernel = s.kernel;
     v.solver = s.solver;
     v.notes = s.notes;
+    v.watermark = s.watermark;
     v.parameters = differences(s.parameters, {});
     v.dim = s.dim;
     v.origin = resolved_.variants[i].scene.settings.grid.origin;

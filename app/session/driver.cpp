@@ -31,10 +31,10 @@ std::size_t Bundle::bytes() const {
 }
 
 Driver::Driver(const Resolved& resolved, const Schedule& schedule, Budget& budget, Exchange<Bundle>& out,
-               std::function<bool()> stop, SeriesWriter* particles)
+               std::function<bool()> stop, SeriesWriter* particles, LedgerFile* ledger)
     : resolved_(resolved), request_(resolved.request()),
       commands_(resolved.timeline.commands(resolved.output.fps, resolved.scale, schedule.boundaries())),
-      schedule_(schedule), budget_(budget), out_(out), stop_(std::move(stop)), particles_(particles) {}
+      schedule_(schedule), budget_(budget), out_(out), stop_(std::move(stop)), particles_(particles), ledger_(ledger) {}
 
 void Driver::drive() {
   std::optional<Budget::Permit> permit(std::in_place, budget_);
@@ -49,6 +49,7 @@ void Driver::drive() {
     particle_steps_ = variants_->particle_steps();
     if (stop->boundary) apply_commands(stop->frame);
     Bundle bundle = look(pool, *stop);
+    if (ledger_) ledger_->write(bundle.stop, bundle.snapshots);
     if (!stop->shown) continue;
     if (particles_) write_particles(pool, bundle);
     permit.reset(); // the queue may be full, and whoever empties it needs the permit
@@ -66,7 +67,9 @@ void Driver::make_variants(Pool& pool) {
   pool.each(static_cast<int>(simulations.size()), [&](int i) {
     const auto v = static_cast<std::size_t>(i);
     const ResolvedVariant& variant = resolved_.variants[v];
-    simulations[v] = variant.recording ? play(variant.recording) : make_simulation(variant.scene, pool);
+    simulations[v] = variant.recording ? play(variant.recording)
+                     : variant.mistake ? museum::make_mistaken(variant.scene, *variant.mistake, pool)
+                                       : make_simulation(variant.scene, pool);
   });
   variants_ = std::make_unique<Stepper>(std::move(simulations), lockstep, pool);
 }

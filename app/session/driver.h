@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/series/series_writer.h"
+#include "app/session/ledger_file.h"
 #include "app/session/schedule.h"
 #include "app/session/stepper.h"
 #include "app/study/resolve.h"
@@ -28,9 +29,9 @@ inline constexpr std::size_t bundle_queue_bytes = 64U << 20U;
 
 class Driver {
 public:
-  /// `particles` takes the particles of every frame that is shown; null: nobody does.
+  /// `particles` takes the particles of every frame that is shown, `ledger` the accounts; null: nobody does.
   Driver(const Resolved& resolved, const Schedule& schedule, Budget& budget, Exchange<Bundle>& out,
-         std::function<bool()> stop, SeriesWriter* particles);
+         std::function<bool()> stop, SeriesWriter* particles, LedgerFile* ledger);
 
   /// The whole run, on the calling thread; closes the exchange at the end.
   void drive();
@@ -51,6 +52,7 @@ private:
   Exchange<Bundle>& out_;
   std::function<bool()> stop_;
   SeriesWriter* particles_;
+  LedgerFile* ledger_;
   std::unique_ptr<Stepper> variants_;
   std::size_t next_command_ = 0;
   std::atomic<std::uint64_t> particle_steps_{0};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Two panes whose particles agree to the last bit compare a scheme with itself. Only after several steps, though: the
-// first from rest is the same for all schemes.
+// first from rest is the same for all schemes; and not where nothing flows.
 #pragma once
 
 #include "sim/frame/snapshot.h"

@@ -24,10 +24,20 @@ int thread_count(int asked) {
   return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
+/// What a pane with a mistake on purpose says, simulated now or earlier; empty in a normal run.
+std::string mistake_in(const Resolved& resolved) {
+  for (const ResolvedVariant& v : resolved.variants) {
+    if (v.mistake) return v.mistake->watermark;
+    if (v.recording && !v.recording->variant.watermark.empty()) return v.recording->variant.watermark;
+  }
+  return "";
+}
+
 /// What all pictures of the run say.
 std::shared_ptr<const RunProvenance> describe_run(const Resolved& resolved, const std::string& study) {
   auto run = std::make_shared<RunProvenance>();
   run->study = study;
+  run->mistake = mistake_in(resolved);
   const auto seed = [](const ResolvedVariant& v) { return v.scene.settings.seeding.seed; };
   const auto& all = resolved.variants;
   const auto unknown = [](const ResolvedVariant& v) { return v.recording && v.recording->variant.parameters.empty(); };
@@ -44,8 +54,9 @@ public:
           const SessionOptions& options)
       : resolved_(resolved), provenance_(describe_run(resolved, study)), pictures_(schedule.pictures()),
         options_(options), budget_(thread_count(options.threads)), particles_(std::move(outputs.particles)),
+        ledger_(std::move(outputs.ledger)),
         driver_(
-            resolved, schedule, budget_, exchange_, [this] { return must_stop(); }, particles_.get()) {
+            resolved, schedule, budget_, exchange_, [this] { return must_stop(); }, particles_.get(), ledger_.get()) {
     for (auto& sink : outputs.pictures)
       sinks_.push_back(std::make_unique<SinkThread>(std::move(sink), budget_, failure_));
     // llvmpipe would start threads of its own, outside the budget.
@@ -62,6 +73,7 @@ public:
     if (particles_) particles_->finish();
     for (auto& s : sinks_) s->sink().commit();
     if (particles_) particles_->commit();
+    if (ledger_) ledger_->commit();
     return summary_;
   }
 
@@ -90,7 +102,7 @@ private:
     summary_.particle_steps = driver_.particle_steps();
   }
 
-  /// Only particles are wanted: no context is needed, and this thread counts the frames.
+  /// Only particles or the ledger are wanted: no context is needed, and this thread counts the frames.
   void draw_none() {
     std::thread simulating([this] { simulate(); });
     Progress progress(pictures_, options_.quiet);
@@ -170,6 +182,7 @@ private:
   Budget budget_;
   Exchange<Bundle> exchange_{bundle_queue_bytes};
   std::unique_ptr<SeriesWriter> particles_;
+  std::unique_ptr<LedgerFile> ledger_;
   Driver driver_;
   std::vector<std::unique_ptr<SinkThread>> sinks_;
   IdenticalPanes identical_;

@@ -2,13 +2,15 @@
 // Runs variants side by side and makes their pictures.
 //   driver thread:  commands, steps, snapshots --Exchange--> this thread: GL, drawing --queues--> a thread for each
 //   sink
-// The driver also writes the files of particles, so that their tables need no queue. Without sinks nothing is drawn.
-// Every queue is bounded in bytes, so memory does not grow with the number of frames; whoever computes holds a permit
-// of the one Budget. The first failure, on whichever thread, stops all of them and is thrown here.
+// The driver also writes the files of particles and of the ledger, so that their tables need no queue. Without sinks
+// nothing is drawn. Every queue is bounded in bytes, so memory does not grow with the number of frames; whoever
+// computes holds a permit of the one Budget. The first failure, on whichever thread, stops all of them and is thrown
+// here.
 #pragma once
 
 #include "app/encode/sink.h"
 #include "app/series/series_writer.h"
+#include "app/session/ledger_file.h"
 #include "app/session/schedule.h"
 #include "app/study/resolve.h"
 #include "render/context/context.h"
@@ -30,6 +32,7 @@ struct SessionOptions {
 struct Outputs {
   std::vector<std::unique_ptr<Sink>> pictures;
   std::unique_ptr<SeriesWriter> particles; ///< null: none
+  std::unique_ptr<LedgerFile> ledger;      ///< null: none
 };
 
 /// What a finished run reports.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/study/output_settings.h"
 
+#include <algorithm>
+#include <filesystem>
+
 namespace flipbook::app {
 
 void OutputSettings::describe(ParameterVisitor& v) {
@@ -16,7 +19,19 @@ void OutputSettings::describe(ParameterVisitor& v) {
               crf);
     v.choice({.name = "particle_format", .help = "Format of the files of particles (--particles)"}, particle_format,
              particle_format_options());
+    v.text({.name = "ledger", .help = "CSV file for the ledger of a video (render, compare); empty: none"}, ledger);
   });
+}
+
+Refusal check_output(const OutputSettings& output) {
+  if (output.ledger.empty()) return {};
+  const std::filesystem::path file(output.ledger);
+  const bool leaves = std::any_of(file.begin(), file.end(), [](const auto& part) { return part == ".."; });
+  if (file.is_absolute() || leaves || file.extension() != ".csv")
+    return {"output.ledger: \"" + output.ledger +
+                "\": it is a name that ends in .csv, below the folder where the program runs; --ledger takes any",
+            ""};
+  return {};
 }
 
 } // namespace flipbook::app

@@ -6,7 +6,7 @@
 #include "sim/frame/parameters.h"
 
 #include <array>
-#include <cstdint>
+#include <string>
 
 namespace flipbook::app {
 
@@ -17,8 +17,13 @@ struct OutputSettings {
   int frames = 0;                     ///< 0: as many as the duration needs
   int crf = 18;                       ///< quality of the video
   ParticleFormat particle_format = ParticleFormat::csv;
+  std::string ledger; ///< where the ledger of a video goes, below the folder where the program runs; empty: nowhere
 
   void describe(ParameterVisitor& v);
 };
+
+/// What the settings cannot check by themselves: a study that came from elsewhere names no place outside the folder
+/// where the program runs. Message empty: all is well.
+[[nodiscard]] Refusal check_output(const OutputSettings& output);
 
 } // namespace flipbook::app

@@ -2,6 +2,7 @@
 #include "app/study/paths.h"
 
 #include "app/study/output_settings.h"
+#include "render/views/plots.h"
 #include "sim/frame/errors.h"
 #include "sim/scene/settings.h"
 
@@ -89,10 +90,12 @@ Refusal check_pane_path(const std::string& path, std::span<const std::string> ow
 }
 
 const std::vector<std::string>& plot_names() {
-  static const std::vector<std::string> all{"kinetic",           "potential",          "total",
-                                            "transfer_loss",     "momentum_x",         "momentum_y",
-                                            "momentum_z",        "angular_momentum_x", "angular_momentum_y",
-                                            "angular_momentum_z"};
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> names;
+    for (const render::PlotName& p : render::plot_names()) names.emplace_back(p.name);
+    names.emplace_back(render::lost_by_stage);
+    return names;
+  }();
   return all;
 }
 

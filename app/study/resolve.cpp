@@ -42,7 +42,7 @@ void resolve_variants(const Study& study, Resolved& resolved, Mistakes& mistakes
     std::vector<Assignment> changes = checked(study.parameters, check_path, keys_of_a_study, mistakes);
     const auto own = checked(v.parameters, check_pane_path, keys_of_a_variant, mistakes);
     changes.insert(changes.end(), own.begin(), own.end());
-    resolved.variants.push_back({v.label, make_scene(study.scene, changes, mistakes), nullptr});
+    resolved.variants.push_back({v.label, make_scene(study.scene, changes, mistakes), nullptr, v.mistake});
   }
   for (const ResolvedVariant& v : resolved.variants)
     if (v.scene.settings.time.scale != resolved.variants.front().scene.settings.time.scale)
@@ -78,6 +78,15 @@ void resolve_view(const Study& study, Resolved& resolved, Mistakes& mistakes) {
   all.insert(all.end(), own.begin(), own.end());
   const auto at = std::find_if(all.rbegin(), all.rend(), [&](auto& a) { return a.path == mistake.path; });
   mistakes.add(mistake.refusal.message, at == all.rend() ? Location{} : at->where, mistake.refusal.nearest);
+}
+
+void resolve_output(const Study& study, Resolved& resolved, Mistakes& mistakes) {
+  const std::vector<Assignment> all = checked(study.output, check_path, {}, mistakes);
+  apply_to(resolved.output, all, mistakes);
+  const Refusal r = check_output(resolved.output);
+  if (r.message.empty()) return;
+  const auto at = std::find_if(all.rbegin(), all.rend(), [](auto& a) { return a.path == "output.ledger"; });
+  mistakes.add(r.message, at == all.rend() ? Location{} : at->where);
 }
 
 /// Simulated seconds from one frame to the next where the fluid notes' rule decides; 0 where it does not.
@@ -136,7 +145,7 @@ Resolved resolve(const Study& study) {
   const Scene& scene = resolved.variants.front().scene;
   resolved.title = study.title.empty() ? scene.summary : study.title;
   resolve_view(study, resolved, mistakes);
-  apply_to(resolved.output, checked(study.output, check_path, {}, mistakes), mistakes);
+  resolve_output(study, resolved, mistakes);
   mistakes.raise();
   const double notes = notes_interval(study, resolved, mistakes);
 

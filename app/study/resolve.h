@@ -24,6 +24,7 @@ struct ResolvedVariant {
   std::string label; ///< empty: the title comes from the solver
   Scene scene;
   std::shared_ptr<const Recording> recording = nullptr; ///< read instead of simulating the scene; null: simulated
+  std::optional<museum::Hung> mistake = std::nullopt;   ///< made on purpose
 };
 
 struct Resolved {

@@ -3,8 +3,10 @@
 // assets/studies/annotated.toml documents every key.
 #pragma once
 
+#include "sim/museum/museum.h"
 #include "sim/scene/read_scene.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +19,7 @@ struct Variant {
   std::string label; ///< empty: the title comes from the solver
   std::vector<Assignment> parameters;
   Location where;
+  std::optional<museum::Hung> mistake = std::nullopt; ///< no text can say this: see with_mistake.h
 };
 
 enum class Ease { smooth, linear, step };

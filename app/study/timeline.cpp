@@ -201,6 +201,7 @@ FrameRequest Timeline::request(const render::ViewSettings& initial) const {
         all.faces = all.faces || one.faces;
         all.phi = all.phi || one.phi;
         all.pressure = all.pressure || one.pressure;
+        all.noise = all.noise || one.noise;
       }
   return all;
 }

@@ -10,11 +10,18 @@ namespace {
 constexpr float margin = 20, gap = 14, header_height = 30, header_gap = 14, title_height = 20, caption_height = 17;
 constexpr float legend_height = 18, footer_height = 16, widest_gap = 44, least_plot = 84, least_side = 230;
 constexpr float most_row_gap = 22, pane_padding = 5, small_padding = 3, small_pane = 200;
+constexpr float table_gap = 12, least_pane = 110; // a pane beside or above a table
+constexpr float fair_pane = 200;                  // below it plots give way to tables
+constexpr float least_plots = 0.75F;              // to this share of their height
+constexpr float least_share = 0.4F;               // of the magnification that panes would have without tables
 
 struct Grid {
   std::size_t columns = 1, rows = 1;
   float magnification = 0; ///< pixels for each unit of the domain
   float padding = 0;
+  int tables = -1; ///< which form of them; -1: none
+  bool beside = false;
+  float score = 0; ///< what is compared: magnification, by the worth of the tables
 };
 
 class Arranger {
@@ -28,10 +35,17 @@ public:
       place_panes(body, best_grid(body), widest_gap, 0.5F);
       return std::move(out_);
     }
-    const Rect above = upper(body), beside = left(body);
-    const Grid below_grid = best_grid(above), side_grid = best_grid(beside);
+    const Rect beside = left(body);
+    Rect above = upper(body, 1);
+    Grid below_grid = best_grid(above);
+    const Grid side_grid = best_grid(beside);
+    if (!r_.tables.empty() &&
+        (below_grid.tables < 0 || side_of(below_grid) < pt(fair_pane))) { // tables are paid for by plots, too
+      above = upper(body, least_plots);
+      below_grid = best_grid(above);
+    }
     // Reading order is clearer with the plots below: beside has to gain something.
-    if (side_grid.magnification > 1.1F * below_grid.magnification) {
+    if (side_grid.score > 1.1F * below_grid.score) {
       const Rect used = place_panes(beside, side_grid, gap, 0);
       const float x = used.right() + pt(gap + 10);
       place_plots({x, body.y, body.right() - x, body.h});
@@ -76,8 +90,8 @@ private:
     return body;
   }
 
-  [[nodiscard]] Rect upper(const Rect& body) const {
-    const float wanted = static_cast<float>(r_.plot_height) * static_cast<float>(r_.height);
+  [[nodiscard]] Rect upper(const Rect& body, float share) const {
+    const float wanted = share * static_cast<float>(r_.plot_height) * static_cast<float>(r_.height);
     const float h = std::min(std::max(wanted, pt(least_plot)), 0.6F * body.h);
     return {body.x, body.y, body.w, body.h - h - pt(gap)};
   }
@@ -89,18 +103,46 @@ private:
   [[nodiscard]] float above_frame() const { return pt(title_height); }
   [[nodiscard]] float below_frame() const { return r_.captions ? pt(caption_height) : 0; }
 
-  [[nodiscard]] Grid best_grid(const Rect& area) const {
+  /// The grid with the largest panes, each with a table of this size beside it, below it, or without one.
+  [[nodiscard]] Grid best_grid(const Rect& area, const TableSize& table, bool beside) const {
     Grid best;
+    const float taken_w = beside ? table.width + pt(table_gap) : 0;
+    const float taken_h = beside || table.height == 0 ? 0 : table.height + pt(table_gap);
     for (std::size_t columns = 1; columns <= r_.panes; ++columns) {
       const std::size_t rows = (r_.panes + columns - 1) / columns;
       const auto c = static_cast<float>(columns), n = static_cast<float>(rows);
-      const float w = (area.w - (c - 1) * pt(gap)) / c;
-      const float h = (area.h - (n - 1) * pt(gap)) / n - above_frame() - below_frame();
+      const float cell_w = (area.w - (c - 1) * pt(gap)) / c, cell_h = (area.h - (n - 1) * pt(gap)) / n;
+      if (cell_w < table.width || (beside && cell_h - above_frame() < table.height)) continue;
+      const float w = cell_w - taken_w, h = cell_h - above_frame() - below_frame() - taken_h;
       const float padding = pt(std::min(w, h) < pt(small_pane) ? small_padding : pane_padding);
       const float m = std::min((w - 2 * padding) / static_cast<float>(r_.domain_width),
                                (h - 2 * padding) / static_cast<float>(r_.domain_height));
-      if (m > best.magnification * 1.0001F) best = {columns, rows, m, padding};
+      if (m > best.magnification * 1.0001F) best = {columns, rows, m, padding, -1, beside, m};
     }
+    return best;
+  }
+
+  /// Of a square as large as a pane.
+  [[nodiscard]] float side_of(const Grid& grid) const {
+    return grid.magnification * static_cast<float>(std::sqrt(r_.domain_width * r_.domain_height));
+  }
+
+  /// With tables where the panes stay large enough to be looked at. Of two forms the one that shows more may leave the
+  /// panes smaller, by its worth.
+  [[nodiscard]] Grid best_grid(const Rect& area) const {
+    Grid best = best_grid(area, {}, false);
+    if (r_.tables.empty()) return best;
+    const float alone = best.magnification;
+    best.score = 0;
+    for (std::size_t i = 0; i < r_.tables.size(); ++i)
+      for (const bool beside : {false, true}) {
+        Grid grid = best_grid(area, r_.tables[i], beside);
+        grid.tables = static_cast<int>(i);
+        grid.score *= r_.tables[i].worth;
+        if (side_of(grid) >= pt(least_pane) && grid.magnification >= least_share * alone &&
+            grid.score > best.score * 1.0001F)
+          best = grid;
+      }
     return best;
   }
 
@@ -114,22 +156,32 @@ private:
     out_.padding = grid.padding;
     const float frame_w = std::floor(grid.magnification * static_cast<float>(r_.domain_width)) + 2 * grid.padding;
     const float frame_h = std::floor(grid.magnification * static_cast<float>(r_.domain_height)) + 2 * grid.padding;
-    const float cell_h = above_frame() + frame_h + below_frame();
+    const TableSize table = grid.tables < 0 ? TableSize{} : r_.tables[static_cast<std::size_t>(grid.tables)];
+    const float between = grid.tables < 0 ? 0 : pt(table_gap);
+    const float pane_h = frame_h + below_frame();
+    const float cell_w = grid.beside ? frame_w + between + table.width : std::max(frame_w, table.width);
+    const float cell_h =
+        above_frame() + (grid.beside ? std::max(pane_h, table.height) : pane_h + between + table.height);
+    out_.tables = grid.tables;
     const auto c = static_cast<float>(grid.columns), n = static_cast<float>(grid.rows);
-    const float gap_x = spread(area.w - c * frame_w, c - 1, most_gap_x),
+    const float gap_x = spread(area.w - c * cell_w, c - 1, most_gap_x),
                 gap_y = spread(area.h - n * cell_h, n - 1, most_row_gap);
-    const float used_w = c * frame_w + (c - 1) * gap_x, used_h = n * cell_h + (n - 1) * gap_y;
+    const float used_w = c * cell_w + (c - 1) * gap_x, used_h = n * cell_h + (n - 1) * gap_y;
     const float x0 = std::round(area.x + std::max(0.F, area.w - used_w) * indent), y0 = area.y;
     for (std::size_t i = 0; i < r_.panes; ++i) {
-      const float x = std::round(x0 + static_cast<float>(i % grid.columns) * (frame_w + gap_x));
+      const float x = std::round(x0 + static_cast<float>(i % grid.columns) * (cell_w + gap_x));
       const float y = y0 + static_cast<float>(i / grid.columns) * (cell_h + gap_y);
       PaneBox box;
       // Text may use what is free beside the frame.
       const float end = indent > 0 ? area.right() : x0 + used_w;
-      const float text_w = std::max(frame_w, std::min(frame_w + gap_x - pt(gap), end - x));
+      const float text_w = std::max(cell_w, std::min(cell_w + gap_x - pt(gap), end - x));
       box.title = {x, y, text_w, above_frame()};
       box.frame = {x, y + above_frame(), frame_w, frame_h};
-      if (r_.captions) box.caption = {x, box.frame.bottom(), text_w, below_frame()};
+      if (r_.captions) box.caption = {x, box.frame.bottom(), grid.beside ? frame_w : text_w, below_frame()};
+      if (grid.tables >= 0)
+        box.table = grid.beside
+                        ? Rect{x + frame_w + between, box.frame.y, table.width, cell_h - above_frame()}
+                        : Rect{x, box.frame.y + pane_h + between, std::min(text_w, 1.2F * cell_w), table.height};
       out_.panes.push_back(box);
     }
     return {x0, y0, used_w, used_h};

@@ -6,6 +6,7 @@
 //   +--------+ +--------+   +---------+
 //   | pane   | | pane   |   | panel   |
 //   +--------+ +--------+   |         |
+//   (ledger)   (ledger)     |         |   or each beside its pane
 //   legend                  |         |
 //   +----+ +----+ +----+    |         |
 //   |plot| |plot| |plot|    |         |
@@ -19,6 +20,12 @@
 
 namespace flipbook::render {
 
+/// A form in which the tables of the ledger may be shown.
+struct TableSize {
+  float width = 0, height = 0; ///< pixels of one table
+  float worth = 1; ///< panes may shrink to this share of what a form of worth 1 leaves them, and it is chosen instead
+};
+
 /// What has to be placed.
 struct LayoutRequest {
   int width = 1280, height = 720;
@@ -30,11 +37,13 @@ struct LayoutRequest {
   double plot_height = 0.24; ///< share of the picture; 0: no plots
   std::vector<float> legend; ///< width of each entry, pixels
   std::size_t footer_lines = 0;
+  std::vector<TableSize> tables;    ///< one form of them is placed if there is room; empty: no tables
   float colour_label = 0, time = 0; ///< widths of the texts in the header, pixels; no label: no colour bar
 };
 
 struct PaneBox {
   Rect title, frame, caption;
+  Rect table; ///< empty where none is shown
 };
 
 struct Layout {
@@ -42,6 +51,7 @@ struct Layout {
   std::vector<PaneBox> panes;
   std::vector<Rect> legend, plots;
   Rect panel, footer;
+  int tables = -1;   ///< which of the forms is shown; -1: none
   float padding = 0; ///< between a pane's frame and the domain, pixels; less in small panes
 };
 

@@ -6,6 +6,7 @@
 #include "render/views/solids.h"
 #include "render/views/tank.h"
 #include "render/views/ticks.h"
+#include "render/views/watermark.h"
 
 #include <algorithm>
 #include <array>
@@ -20,12 +21,29 @@ using gui::Type;
 namespace {
 
 constexpr std::size_t most_warnings = 2;
+constexpr std::size_t most_shared_lines = 3;           // of notes, where there are tables
 constexpr float legend_swatch = 22, legend_space = 24; // points
 
 std::vector<std::vector<float>> all_values(const Frame& frame, const ViewSettings& view) {
   std::vector<std::vector<float>> values;
   for (const Pane& p : frame.panes) values.push_back(colour_values(*p.snapshot, chosen_quantity(view)));
   return values;
+}
+
+bool contains(const std::vector<std::string>& list, const std::string& text) {
+  return std::find(list.begin(), list.end(), text) != list.end();
+}
+
+/// Why there are no tables, and what makes room for them.
+std::string no_room(const LayoutRequest& r) {
+  std::vector<std::string> ways;
+  if (r.plots > 0) ways.emplace_back("view.plot_height = 0");
+  if (r.panel) ways.emplace_back("view.show_panel = false");
+  if (r.panes > 1) ways.emplace_back("fewer panes");
+  ways.emplace_back("a larger picture");
+  std::string text = "no room for the tables; try ";
+  for (std::size_t i = 0; i < ways.size(); ++i) text += (i == 0 ? "" : i + 1 == ways.size() ? " or " : ", ") + ways[i];
+  return text;
 }
 
 /// Width and height of the domain as it is seen, in metres or, in 3D, in any unit.
@@ -55,16 +73,35 @@ Page::Page(const Frame& frame, const ViewSettings& view, const gui::Fonts& fonts
   r.panel = view.show_panel;
   r.plots = plots_.size();
   r.plot_height = view.plot_height;
-  r.footer_lines = footer_lines();
   r.colour_label = std::ceil(fonts.width(Type::body, colour_bar_label(scale_))) + 1;
   r.time = std::ceil(fonts.width(Type::title, time_text(std::max(frame.time, frame.duration)))) + 2;
   if (frame.panes.size() > 1 && !plots_.empty())
     for (const Pane& p : frame.panes)
       r.legend.push_back(std::ceil(fonts.width(Type::small, p.title)) +
                          std::round((legend_swatch + legend_space) * r.scale));
-  layout_ = arrange(r);
+  arrange_parts(r, fonts);
   place_domains();
   fit_texts(fonts);
+}
+
+/// With the tables of the ledger if there is room for them; else a warning says why there are none.
+void Page::arrange_parts(LayoutRequest& r, const gui::Fonts& fonts) {
+  if (view_.ledger != LedgerView::off) {
+    const std::vector<std::string> all_notes = notes_;
+    share_notes();
+    ledger_forms_ = ledger_forms(frame_, view_.ledger, fonts, pane_notes_);
+    for (const LedgerForm& f : ledger_forms_) r.tables.push_back({f.width, f.height, f.worth});
+    tables_ = true;
+    r.footer_lines = footer_lines();
+    layout_ = arrange(r);
+    if (layout_.tables >= 0) return;
+    tables_ = false;
+    notes_ = all_notes;
+    warnings_.push_back("view.ledger: " + (ledger_forms_.empty() ? "no pane keeps a ledger" : no_room(r)));
+    r.tables.clear();
+  }
+  r.footer_lines = footer_lines();
+  layout_ = arrange(r);
 }
 
 void Page::fit_texts(const gui::Fonts& fonts) {
@@ -115,11 +152,34 @@ void Page::collect_footer() {
     warnings_.emplace_back("view.arrows: arrows are drawn in 2D only");
   for (const Pane& p : frame_.panes)
     for (const std::string& note : p.snapshot->notes)
-      if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) notes_.push_back(note);
+      if (!contains(notes_, note)) notes_.push_back(note);
+}
+
+/// Beside tables there is room to say everything where it belongs: what all panes say in the footer, a line each, the
+/// rest below the table of its pane.
+void Page::share_notes() {
+  std::vector<std::string> shared;
+  for (const std::string& note : notes_)
+    if (std::all_of(frame_.panes.begin(), frame_.panes.end(),
+                    [&](const Pane& p) { return contains(p.snapshot->notes, note); }))
+      shared.push_back(note);
+  if (shared.size() == notes_.size()) return;
+  for (const Pane& p : frame_.panes) {
+    std::vector<std::string>& own = pane_notes_.emplace_back();
+    for (const std::string& note : p.snapshot->notes)
+      if (!contains(shared, note) && !contains(own, note)) own.push_back(note);
+  }
+  notes_ = std::move(shared);
+}
+
+/// One line, unless the tables of the ledger are shown: then everything is said.
+std::size_t Page::note_lines() const {
+  const std::size_t lines = tables_ ? most_shared_lines : 1;
+  return std::max<std::size_t>(std::min(notes_.size(), lines), has_arrow_key_ ? 1 : 0);
 }
 
 std::size_t Page::footer_lines() const {
-  return std::min(warnings_.size(), most_warnings) + (notes_.empty() && !has_arrow_key_ ? 0 : 1);
+  return std::min(warnings_.size(), most_warnings) + note_lines();
 }
 
 std::string Page::time_text(double time) const {
@@ -178,9 +238,14 @@ void Page::draw_pane(gui::Ink& ink, std::size_t i) const {
     if (view_.walls) draw_walls(ink, v, palette_);
     if (view_.arrows) draw_arrows(ink, v, palette_, arrow_speed_);
   }
+  if (!v.snapshot->watermark.empty()) draw_watermark(ink, v.frame, v.snapshot->watermark, palette_);
   ink.frame(v.frame, v.colour, std::round(ink.pt(2)), ink.pt(4));
   ink.text(box.title, titles_.type, palette_.text, titles_.text[i]);
   if (view_.captions) ink.text(box.caption, Type::small, palette_.muted, caption(ink, i));
+  if (layout_.tables < 0) return;
+  const LedgerForm& form = ledger_forms_[static_cast<std::size_t>(layout_.tables)];
+  draw_ledger(ink, box.table, *v.snapshot, view_.ledger, form,
+              pane_notes_.empty() ? std::span<const std::string>{} : pane_notes_[i], palette_);
 }
 
 void Page::draw_legend(gui::Ink& ink) const {
@@ -193,7 +258,7 @@ void Page::draw_legend(gui::Ink& ink) const {
   }
 }
 
-/// Warnings first; then one quiet line for the scale of the arrows and the notes.
+/// Warnings first; then, quietly, the scale of the arrows and the notes.
 void Page::draw_footer(gui::Ink& ink) const {
   const std::size_t shown = std::min(warnings_.size(), most_warnings);
   Rect line = layout_.footer;
@@ -207,7 +272,9 @@ void Page::draw_footer(gui::Ink& ink) const {
     line.x += used;
     line.w -= used;
   }
-  if (!notes_.empty()) ink.text(line, Type::small, palette_.muted, notes_[0] + more(notes_.size() - 1));
+  const std::size_t lines = std::min(notes_.size(), note_lines());
+  for (std::size_t i = 0; i < lines; ++i, line.y += line.h)
+    ink.text(line, Type::small, palette_.muted, notes_[i] + (i + 1 == lines ? more(notes_.size() - lines) : ""));
 }
 
 } // namespace flipbook::render

@@ -6,6 +6,7 @@
 #include "render/compose/titles.h"
 #include "render/views/colour_by.h"
 #include "render/views/domain.h"
+#include "render/views/ledger_table.h"
 #include "render/views/pane_view.h"
 #include "render/views/plots.h"
 
@@ -26,8 +27,11 @@ public:
   void draw_over(gui::Ink& ink) const;
 
 private:
+  void arrange_parts(LayoutRequest& request, const gui::Fonts& fonts);
   void place_domains();
   void collect_footer();
+  void share_notes();
+  [[nodiscard]] std::size_t note_lines() const;
   [[nodiscard]] std::size_t footer_lines() const;
   void fit_texts(const gui::Fonts& fonts);
   void draw_header(gui::Ink& ink) const;
@@ -44,8 +48,10 @@ private:
   ColourScale scale_;
   std::vector<Plot> plots_;
   double arrow_speed_ = 0;
-  bool has_arrow_key_ = false;
-  std::vector<std::string> warnings_, notes_;
+  bool has_arrow_key_ = false, tables_ = false;      ///< are the tables of the ledger shown?
+  std::vector<std::string> warnings_, notes_;        ///< of all panes
+  std::vector<std::vector<std::string>> pane_notes_; ///< where tables are shown: what not all panes say
+  std::vector<LedgerForm> ledger_forms_;
   Layout layout_;
   std::vector<PaneView> views_;
   FittedTitles titles_, legend_;

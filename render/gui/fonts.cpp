@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "render/gui/fonts.h"
 
+#include "render/font_file.h"
+
 #include <imgui.h>
 #include <imgui_freetype.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 
 namespace flipbook::render::gui {
 namespace {
@@ -27,24 +27,6 @@ constexpr std::array<Face, 4> faces{{
 constexpr std::array<ImWchar, 17> glyphs{0x20,   0x17F,  0x370,  0x3FF,  0x2010, 0x2027, 0x2030, 0x203A, 0x2070,
                                          0x209C, 0x2190, 0x2199, 0x2200, 0x222B, 0x2248, 0x2265, 0};
 
-/// The folders where distributions keep DejaVu; FLIPBOOK_FONTS comes first.
-std::string find_font(const char* file) {
-  std::array<std::string, 7> folders{"",
-                                     "/usr/share/fonts/truetype/dejavu",
-                                     "/usr/share/fonts/dejavu-sans-fonts",
-                                     "/usr/share/fonts/dejavu",
-                                     "/usr/share/fonts/TTF",
-                                     "/usr/local/share/fonts",
-                                     "/opt/homebrew/share/fonts"};
-  if (const char* own = std::getenv("FLIPBOOK_FONTS"); own != nullptr) folders[0] = own;
-  for (const std::string& folder : folders) {
-    std::error_code error;
-    const std::filesystem::path path = std::filesystem::path(folder) / file;
-    if (!folder.empty() && std::filesystem::is_regular_file(path, error)) return path.string();
-  }
-  return {};
-}
-
 } // namespace
 
 Fonts::Fonts(float scale) : scale_(scale), atlas_(std::make_unique<ImFontAtlas>()) {
@@ -63,8 +45,7 @@ Fonts::Fonts(float scale) : scale_(scale), atlas_(std::make_unique<ImFontAtlas>(
       ImFontConfig config;
       config.SizePixels = pixels;
       fonts_[i] = atlas_->AddFontDefault(&config);
-      note_ = "no DejaVu fonts found (package fonts-dejavu-core, or FLIPBOOK_FONTS=folder): text is drawn with a plain "
-              "built-in font";
+      note_ = std::string(no_font_hint) + ": text is drawn with a plain built-in font";
     }
   }
   atlas_->Build();
@@ -91,6 +72,20 @@ std::string Fonts::fit(Type t, std::string_view text, float max_width) const {
     if (width(t, candidate) <= max_width) return head.empty() ? "" : candidate;
   }
   return {};
+}
+
+std::vector<std::string> Fonts::wrap(Type t, std::string_view text, float max_width, std::size_t most) const {
+  std::vector<std::string> lines;
+  while (!text.empty() && lines.size() < most) {
+    std::size_t end = text.size();
+    if (lines.size() + 1 < most)
+      while (end != std::string_view::npos && width(t, text.substr(0, end)) > max_width)
+        end = end == 0 ? std::string_view::npos : text.rfind(' ', end - 1);
+    if (end == std::string_view::npos) end = std::min(text.find(' '), text.size()); // one long word
+    lines.push_back(fit(t, text.substr(0, end), max_width));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
 }
 
 } // namespace flipbook::render::gui

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 struct ImFont;
 struct ImFontAtlas;
@@ -29,6 +30,9 @@ public:
   [[nodiscard]] float width(Type t, std::string_view text) const;
   /// The text, or as much of it as fits followed by an ellipsis.
   [[nodiscard]] std::string fit(Type t, std::string_view text, float max_width) const;
+  /// The text in lines that are no wider, parted at blanks; at most `most` lines, the last of which then ends with an
+  /// ellipsis.
+  [[nodiscard]] std::vector<std::string> wrap(Type t, std::string_view text, float max_width, std::size_t most) const;
   [[nodiscard]] float scale() const { return scale_; }
   [[nodiscard]] ImFontAtlas& atlas() const { return *atlas_; }
   /// Empty, or what a user should know: no font file was found.

@@ -27,6 +27,19 @@ void Ink::text(const Rect& box, Type t, Colour c, std::string_view text, Align a
   labels_->push_back({{x, y, width, height}, shown});
 }
 
+void Ink::slanted(Point centre, Type t, Colour c, std::string_view text, float magnification, float angle) {
+  const int first = list_->VtxBuffer.Size;
+  const float width = magnification * fonts_->width(t, text), height = magnification * fonts_->size(t);
+  list_->AddText(fonts_->font(t), height, {centre.x - width / 2, centre.y - height / 2}, c.packed(), text.data(),
+                 text.data() + text.size());
+  const float cosine = std::cos(angle), sine = std::sin(angle);
+  for (int i = first; i < list_->VtxBuffer.Size; ++i) {
+    ImVec2& at = list_->VtxBuffer[i].pos;
+    const float x = at.x - centre.x, y = at.y - centre.y;
+    at = {centre.x + cosine * x - sine * y, centre.y + sine * x + cosine * y};
+  }
+}
+
 void Ink::fill(const Rect& r, Colour c, float rounding) {
   list_->AddRectFilled({r.x, r.y}, {r.right(), r.bottom()}, c.packed(), rounding);
 }

@@ -34,6 +34,9 @@ public:
   /// One line of text in a box: centred vertically, aligned horizontally, shortened with an ellipsis where it is too
   /// long.
   void text(const Rect& box, Type t, Colour c, std::string_view text, Align align = Align::left);
+  /// One line of text turned by `angle` (radians, clockwise) about its centre, `magnification` times as large; part of
+  /// the ground rather than something to read: it may overlap other text.
+  void slanted(Point centre, Type t, Colour c, std::string_view text, float magnification, float angle);
   void fill(const Rect& r, Colour c, float rounding = 0);
   void gradient(const Rect& r, Colour left, Colour right);
   /// The outline lies inside the rectangle.

@@ -10,7 +10,7 @@ namespace flipbook::render {
 
 std::span<const ColourQuantity> colour_quantities() {
   using enum MapKind;
-  static constexpr std::array<ColourQuantity, 11> list{{
+  static constexpr std::array<ColourQuantity, 12> list{{
       {"speed", "speed", "magnitude of the velocity", "m/s", sequential},
       {"velocity_x", "velocity, x", "first component of the velocity", "m/s", diverging},
       {"velocity_y", "velocity, y", "second component of the velocity", "m/s", diverging},
@@ -22,6 +22,8 @@ std::span<const ColourQuantity> colour_quantities() {
       {"initial_z", "initial z", "where the particle began, third axis (3D)", "m", sequential},
       {"id", "particle", "each particle keeps its colour", "", cyclic},
       {"noise", "noise |v − u(x)|", "difference of the particle's velocity from the grid's", "m/s", sequential},
+      {"residual", "residual |v − v₀|", "what has changed of the particle's velocity (solver = \"transfer\")", "m/s",
+       sequential},
   }};
   return list;
 }

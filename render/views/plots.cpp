@@ -9,24 +9,46 @@
 namespace flipbook::render {
 namespace {
 
-struct Label {
-  std::string_view name, label, brief;
-};
-// Names that read better in words; any other column shows its own name.
-constexpr std::array<Label, 4> labels{{
+constexpr std::array<PlotName, 29> names{{
     {"kinetic", "kinetic energy", "kinetic"},
     {"potential", "potential energy", "potential"},
     {"total", "total energy", "total"},
     {"transfer_loss", "kinetic energy lost in transfers", "lost in transfers"},
+    {"lost_p2g", "kinetic energy lost in P2G", "lost: P2G"},
+    {"lost_free_faces", "kinetic energy lost at free faces", "lost: free faces"},
+    {"lost_forces", "kinetic energy lost to forces", "lost: forces"},
+    {"lost_walls", "kinetic energy lost at walls", "lost: walls"},
+    {"lost_projection", "kinetic energy lost in projection", "lost: projection"},
+    {"lost_extrapolation", "kinetic energy lost in extrapolation", "lost: extrapolation"},
+    {"lost_second_half", "kinetic energy lost in the second half", "lost: second half"},
+    {"lost_g2p", "kinetic energy lost in G2P", "lost: G2P"},
+    {"lost_advection", "kinetic energy lost in advection", "lost: advection"},
+    {"lost_spacing", "kinetic energy lost in spacing", "lost: spacing"},
+    {"momentum_x", "momentum, x", "p, x"},
+    {"momentum_y", "momentum, y", "p, y"},
+    {"momentum_z", "momentum, z", "p, z"},
+    {"momentum_drift", "momentum drift", "drift of p"},
+    {"angular_momentum_x", "angular momentum, x", "L, x"},
+    {"angular_momentum_y", "angular momentum, y", "L, y"},
+    {"angular_momentum_z", "angular momentum, z", "L, z"},
+    {"angular_momentum_ratio", "angular momentum, share of that at the start", "L / L₀"},
+    {"divergence", "largest divergence |∇·u| Δt", "|∇·u| Δt"},
+    {"settled_volume", "volume of the liquid, share of that at the start", "volume V / V₀"},
+    {"noise", "noise |v − u(x)|, root mean square", "noise |v − u(x)|"},
+    {"residual", "residual |v − v₀| / |v₀|", "residual"},
+    {"kept", "velocity kept, share of that at the start", "velocity kept"},
+    {"kept_rotation", "rotation kept, share of that at the start", "rotation kept"},
+    {"kept_strain", "strain kept, share of that at the start", "strain kept"},
 }};
 
 /// What is plotted and in which unit; the brief form where the other does not fit.
-std::string heading(const gui::Ink& ink, const Plot& plot, const std::string& prefix, float width) {
-  const std::string unit = plot.unit.empty() ? "" : " (" + prefix + unit_text(plot.unit) + ")";
-  for (const Label& l : labels) {
-    if (l.name != plot.name) continue;
-    const std::string whole = std::string(l.label) + unit;
-    return ink.fonts().width(gui::Type::small, whole) <= width ? whole : std::string(l.brief) + unit;
+std::string heading(const gui::Ink& ink, const Plot& plot, const Prefix& prefix, float width) {
+  const std::string of = prefix.letter + unit_text(plot.unit);
+  const std::string unit = of.empty() ? "" : " (" + of + ")";
+  for (const PlotName& n : names) {
+    if (n.name != plot.name) continue;
+    const std::string whole = std::string(n.label) + unit;
+    return ink.fonts().width(gui::Type::small, whole) <= width ? whole : std::string(n.brief) + unit;
   }
   std::string words = plot.name;
   std::replace(words.begin(), words.end(), '_', ' ');
@@ -77,12 +99,24 @@ struct ValueAxis {
 
 constexpr float title_height = 21, time_height = 16; // points
 
+/// Letters go before units such as J and m/s; kilograms have one already, and shares have no unit: there a power of ten
+/// says it, where the numbers would be long.
+Prefix prefix_of(const std::string& unit, double largest) {
+  if (!unit.empty() && !unit.starts_with("kg")) return si_prefix(largest);
+  if (!(largest > 0) || (largest >= 1e-2 && largest < 1e4)) return {};
+  const int power = 3 * static_cast<int>(std::floor(std::log10(largest) / 3 + 1e-9));
+  static constexpr std::array<const char*, 10> digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = power < 0 ? "10⁻" : "10";
+  for (const char c : std::to_string(std::abs(power))) text += digits[static_cast<std::size_t>(c - '0')];
+  return {std::pow(10.0, -power), text + (unit.empty() ? "" : " ")};
+}
+
 ValueAxis value_axis(const gui::Ink& ink, const Rect& box, const Plot& plot) {
   const float height = box.h - ink.pt(title_height + time_height);
   const int most = std::clamp(static_cast<int>(height / ink.pt(22)) + 1, 2, 6);
   const Range range = value_range(plot);
   ValueAxis a;
-  if (!plot.unit.empty()) a.prefix = si_prefix(std::max(std::abs(range.lo), std::abs(range.hi)));
+  a.prefix = prefix_of(plot.unit, std::max(std::abs(range.lo), std::abs(range.hi)));
   // From tick to tick, so that the axis moves seldom.
   a.ticks = enclosing_ticks(range.lo * a.prefix.factor, range.hi * a.prefix.factor, most);
   a.range = {a.ticks.at.front() / a.prefix.factor, a.ticks.at.back() / a.prefix.factor};
@@ -150,10 +184,34 @@ std::vector<gui::Point> thinned(const Plot::Curve& c, const Axes& axes) {
 
 } // namespace
 
+std::span<const PlotName> plot_names() {
+  return names;
+}
+
+/// The columns that view.plots names, each once. Which stages "lost" stands for follows from what the run can have, not
+/// from what has happened: the plots stay where they are. Forces do not lose energy, they turn it into another.
+static std::vector<std::string> wanted_columns(const Frame& frame, const ViewSettings& view) {
+  std::vector<std::string> all;
+  const auto add = [&](const std::string& name) {
+    if (std::find(all.begin(), all.end(), name) == all.end()) all.push_back(name);
+  };
+  for (const std::string& name : view.plots) {
+    if (name != lost_by_stage) {
+      add(name);
+      continue;
+    }
+    for (const Pane& p : frame.panes)
+      if (p.snapshot->ledger)
+        for (const LedgerTable::Stage& stage : p.snapshot->ledger->stages)
+          if (stage.name != "forces") add("lost_" + stage.name);
+  }
+  return all;
+}
+
 std::vector<Plot> plots_of(const Frame& frame, const ViewSettings& view) {
   std::vector<Plot> plots;
   if (view.plot_height <= 0) return plots;
-  for (const std::string& name : view.plots) {
+  for (const std::string& name : wanted_columns(frame, view)) {
     Plot plot{name, "", {}};
     for (std::size_t i = 0; i < frame.panes.size(); ++i) {
       const History* h = frame.panes[i].snapshot->history.get();
@@ -185,7 +243,7 @@ static void draw_plot(gui::Ink& ink, const Rect& box, const Plot& plot, const Va
             axis.range};
   make_room_for_unit(ink, box, axes);
   ink.text({box.x, box.y, box.w, std::round(ink.pt(13))}, gui::Type::small, palette.text,
-           heading(ink, plot, axis.prefix.letter, box.w));
+           heading(ink, plot, axis.prefix, box.w));
   draw_value_axis(ink, box, axes, axis, palette);
   draw_time_axis(ink, axes, palette);
 

@@ -83,7 +83,7 @@ TEST(Completion, OffersArgumentsByTheirPlace) {
   EXPECT_THAT(offered({"compare", "--dim", "3", "dro"}), ElementsAre("drop", "drop_on_sphere", ":files"));
   EXPECT_THAT(offered({"compare", "drop", ""}), IsEmpty());
   EXPECT_THAT(offered({"list", "s"}), ElementsAre("scenes", "studies", "schemes", "shapes"));
-  EXPECT_THAT(offered({"new", "s"}), ElementsAre("scene", "study"));
+  EXPECT_THAT(offered({"new", "s"}), ElementsAre("scene", "study", "scheme"));
   EXPECT_THAT(offered({"new", "study", "x", "--scene", "gr"}), ElementsAre("gresho", ":files"));
   EXPECT_THAT(offered({"man", "ver"}), ElementsAre("verify"));
   EXPECT_THAT(offered({"completion", ""}), ElementsAre("bash", "zsh", "fish"));

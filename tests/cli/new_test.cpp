@@ -86,6 +86,50 @@ TEST(New, ANameThatIsTakenIsANote) {
   EXPECT_THAT(f.files(), ElementsAre("dam_break.toml"));
 }
 
+TEST(New, ASchemeIsEnteredIntoTheSourceTreeAroundIt) {
+  const Folder f;
+  const std::string list = "#include \"sim/transfer/apic.h\"\n#include \"sim/transfer/xpic.h\"\n#include <tuple>\n"
+                           "using Schemes = std::tuple<Apic, Xpic>; ///< the list\n";
+  std::filesystem::create_directories(f.path() / "sim/transfer");
+  (void)f.write("sim/transfer/schemes.h", list);
+  (void)f.write("sim/transfer/corner.h", "ours");
+  std::filesystem::create_directories(f.path() / "build/deep");
+  const Outcome o = run({"new", "scheme", "my_own"}, f.path() / "build/deep");
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(o.out, ::testing::EndsWith("sim/transfer/my_own.h\n"));
+  EXPECT_THAT(o.err, AllOf(HasSubstr("entered into"), HasSubstr("flipbook verify --only my_own")));
+  EXPECT_EQ(read_file(f.path() / "sim/transfer/schemes.h"),
+            "#include \"sim/transfer/apic.h\"\n#include \"sim/transfer/my_own.h\"\n#include \"sim/transfer/xpic.h\"\n"
+            "#include <tuple>\nusing Schemes = std::tuple<Apic, Xpic, MyOwnScheme>; ///< the list\n");
+  const std::string header = read_file(f.path() / "sim/transfer/my_own.h");
+  EXPECT_THAT(header, AllOf(StartsWith("// SPDX-License-Identifier: MIT\n// MY_OWN, a transfer"), Not(HasSubstr("@")),
+                            HasSubstr("struct MyOwnScheme {"), HasSubstr("name = \"my_own\", label = \"MY_OWN\"")));
+
+  EXPECT_EQ(run({"new", "scheme", "zebra"}, f.path()).code, 0); // after all others
+  EXPECT_THAT(read_file(f.path() / "sim/transfer/schemes.h"),
+              AllOf(HasSubstr("xpic.h\"\n#include \"sim/transfer/zebra.h\"\n#include <tuple>"),
+                    HasSubstr("MyOwnScheme, ZebraScheme>;")));
+  for (const char* taken : {"my_own", "corner"})
+    expect_refusal(run({"new", "scheme", taken}, f.path()), 2, {"exists; a scheme replaces no file"});
+  EXPECT_EQ(read_file(f.path() / "sim/transfer/corner.h"), "ours");
+}
+
+TEST(New, ASchemeElsewhereSaysHowToEnterIt) {
+  const Folder f;
+  const Outcome o = run({"new", "scheme", "mine", "-o", "there/"}, f.path());
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_EQ(o.out, "there/mine.h\n");
+  EXPECT_THAT(o.err,
+              AllOf(HasSubstr("#include \"sim/transfer/mine.h\""), HasSubstr("MineScheme into the list Schemes")));
+  for (const char* name : {"Mine", "2nd", "a b", "a__b", "a_", "../a", "a.h", "int x"})
+    expect_refusal(run({"new", "scheme", name}, f.path()), 2, {"is no name for a scheme"});
+  expect_refusal(run({"new", "scheme", "apic"}, f.path()), 2, {"there is a scheme \"apic\" already"});
+  expect_refusal(run({"new", "scheme", "b", "--scene", "drop"}, f.path()), 2, {"--scene belongs to"});
+  expect_refusal(run({"new", "scheme", "b", "--force"}, f.path()), 2, {"a scheme replaces no file"});
+  expect_refusal(run({"new", "scheme", "b", "-o", "b.txt"}, f.path()), 2, {"ends in .h"});
+  EXPECT_THAT(f.files(), ElementsAre("there", "there/mine.h"));
+}
+
 TEST(New, WhereNothingCanBeWritten) {
   const Folder f;
   (void)f.write("file", "");

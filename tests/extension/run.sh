@@ -1,6 +1,7 @@
 #!/bin/bash
 # One declaration is enough: adds a parameter to one scheme header in a scratch copy of the sources and, with no other edit,
-# demands to find it in `list parameters`, --set, TOML, the timeline, and the pixels of the panel, moving.
+# demands to find it in `list parameters`, --set, TOML, the timeline, and the pixels of the panel, moving. And one command is enough
+# for a scheme in plain scalar code: it is built, graded and compared without another edit.
 set -euo pipefail
 top=$(cd "$(dirname "$0")/../.." && pwd)
 . "$top/tests/mutants/scratch.sh"
@@ -11,6 +12,13 @@ sed -i -e 's|double affine = 1;|double affine = 1, whirl = 0.5;|' \
   -e '/void describe(ParameterVisitor& v)/a v.real({.name = "whirl", .help = "Added by a test", .min = 0, .max = 1, .level = Level::teach}, whirl);' \
   "$header"
 [ "$(grep -c whirl "$header")" -eq 2 ] || { echo "$header no longer has the lines that this test edits" >&2; exit 1; }
+# Two schemes, built together with the parameter. The second scheme is wrong: the sign of its affine offset is reversed.
+# FLIPBOOK, where it is given, is a program of these sources, to save a build.
+flipbook=${FLIPBOOK:-$PWD/../build/flipbook}
+[ -n "${FLIPBOOK:-}" ] || cmake --build ../build --target flipbook >../build.log 2>&1 || { tail -20 ../build.log >&2; exit 1; }
+for scheme in homework mistaken; do "$flipbook" new scheme $scheme >/dev/null; done
+sed -i 's|v += p.C(a, b) \* r\[b\]|v -= p.C(a, b) * r[b]|' sim/transfer/mistaken.h
+[ "$(grep -c 'v -= ' sim/transfer/mistaken.h)" -eq 1 ] || { echo "the template no longer has the line that this test edits" >&2; exit 1; }
 cmake --build ../build --target flipbook >../build.log 2>&1 || { tail -20 ../build.log >&2; exit 1; }
 
 program=$PWD/../build/flipbook
@@ -64,3 +72,15 @@ for part in value=256:26:1004:62 slider=256:34:1004:88; do
     fail "the panel's $name does not move with the key"
 done
 echo "one declaration was enough"
+
+"$program" list schemes | says '^ *homework\[:keep\] ' || fail "list schemes does not know the new scheme"
+"$program" verify --only homework >card || fail "the new scheme does not pass as it is written: $(grep HOLD card)"
+says 'REPORT CARD' <card || fail "verify does not grade it"
+code=0
+"$program" verify --only mistaken >card || code=$?
+[ "$code" -eq 1 ] || fail "a wrong scheme passes"
+says '^5\.4 .*DOES NOT HOLD' <card || fail "the card does not say that angular momentum gets lost on the way to the grid"
+says '^5\.2 .*holds' <card || fail "the card denies what does hold"
+"$program" compare transfer_rotation --schemes apic,homework:0.5,mistaken --frames 3 -o panes/ --quiet >/dev/null || fail "compare refuses it"
+"$program" compare dam_break --schemes apic,homework --cells 16 --frames 2 -o flow/ --quiet >/dev/null || fail "it does not flow"
+echo "one command was enough"

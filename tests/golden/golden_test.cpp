@@ -3,6 +3,7 @@
 // ones.
 #include "app/panel/panel.h"
 #include "tests/golden/bodies.h"
+#include "tests/golden/ledgers.h"
 #include "tests/golden/pictures.h"
 
 #include <gtest/gtest.h>
@@ -63,6 +64,14 @@ render::Frame made(const Snapshot& s) {
   return f;
 }
 
+/// The last pane makes a mistake.
+render::Frame mistaken(render::Frame f) {
+  auto s = std::make_shared<Snapshot>(*f.panes.back().snapshot);
+  s->watermark = "WITH A MISTAKE: reversed offset";
+  f.panes.back().snapshot = s;
+  return f;
+}
+
 render::Frame z_up() {
   Snapshot s = with_z_up(*stored("dam_3d"));
   s.periodic = {false, true, false};
@@ -92,6 +101,20 @@ render::Frame bodies_2d() {
   s.solids[0].pose.shift = {0.2, 2.3, 0};
   s.solids[1].pose.shift = {-0.6, 2.1, 0};
   return made(s);
+}
+
+/// Without a ledger, with one where L is not defined, with one that changed nothing yet, and in space.
+render::Frame ledger_states() {
+  render::Frame f = frame_of("Ledgers", {"dam_pic", "vortices_flip", "dam_apic", "dam_3d"});
+  const auto give = [&](std::size_t pane, std::shared_ptr<const LedgerTable> ledger) {
+    auto s = std::make_shared<Snapshot>(*f.panes[pane].snapshot);
+    s->ledger = std::move(ledger);
+    f.panes[pane].snapshot = s;
+  };
+  give(1, std::make_shared<LedgerTable>(vortex_ledger()));
+  give(2, std::make_shared<LedgerTable>(empty_ledger(2)));
+  give(3, std::make_shared<LedgerTable>(dam_ledger(3, false)));
+  return f;
 }
 
 const std::vector<std::string> bare{"view.show_panel=false", "view.plot_height=0", "view.captions=false"};
@@ -133,6 +156,16 @@ std::vector<Case> cases() {
       {"two_panes_light", {"view.theme=light", "view.show_panel=false"}, warned},
       {"four_panes_dragged", {}, dragged},
       {"four_panes_dragged_light", {"view.theme=light", "view.plots=kinetic,total"}, dragged},
+      {"ledger_beside", {"view.ledger=total", "view.show_panel=false"}, [] { return ledger_frame(1); }, 854, 480},
+      {"ledger_light",
+       {"view.ledger=step", "view.theme=light", "view.plot_height=0"},
+       [] { return ledger_frame(2); },
+       1280,
+       720},
+      {"ledger_states", {"view.ledger=total", "view.show_panel=false", "view.plot_height=0"}, ledger_states, 1280, 720},
+      {"ledger_left_out", {"view.ledger=total"}, [] { return ledger_frame(4); }},
+      {"mistake_dark", bare, [] { return mistaken(two_dams()); }, 480, 270},
+      {"mistake_3d_light", bare_with({"view.theme=light"}), [] { return mistaken(one("dam_3d")); }, 480, 270},
       {"twelve_panes", {"view.panel=cfl,gravity,kernel"}, [] { return dam_frame(12); }, 854, 480},
   };
 }

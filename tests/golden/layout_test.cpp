@@ -2,6 +2,7 @@
 // No text covers another or leaves the picture, for any number of panes and any size.
 #include "app/panel/panel.h"
 #include "render/compose/layout.h"
+#include "tests/golden/ledgers.h"
 #include "tests/golden/pictures.h"
 
 #include <gtest/gtest.h>
@@ -53,6 +54,25 @@ TEST_P(Labels, KeepClearOfEachOtherWhenLong) {
   }
 }
 
+/// Tables are shown or left out with a warning that says so; in both cases nothing covers anything.
+TEST_P(Labels, OfLedgersKeepClearOrAreLeftOut) {
+  for (const std::string view : {"total", "step"})
+    for (const std::size_t panes : {1U, 2U, 3U, 4U, 6U, 12U}) {
+      const std::string what = view + ", " + std::to_string(panes) + " panes";
+      check(ledger_frame(panes), view_with({"view.ledger=" + view}), what);
+      std::size_t tables = 0, warnings = 0;
+      for (const render::TextBox& t : renderer_.labels()) {
+        tables += t.text == "held now" ? 1 : 0;
+        warnings += t.text.find("view.ledger: no room") != std::string::npos ? 1 : 0;
+      }
+      EXPECT_EQ(tables, warnings > 0 ? 0 : panes) << what;
+      EXPECT_LE(warnings, 1U) << what;
+      if (panes <= 2 && GetParam().height >= 720) {
+        EXPECT_EQ(tables, panes) << what;
+      }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Sizes, Labels,
                          testing::Values(Size{854, 480}, Size{1280, 720}, Size{1920, 1080}, Size{3840, 2160},
                                          Size{1080, 1080}, Size{1080, 1920}),
@@ -95,6 +115,46 @@ TEST(Layout, PartsAreInsideAndApart) {
               EXPECT_FALSE(parts[i].overlaps(parts[k])) << aspect << " " << panes << " parts " << i << " " << k;
           }
         }
+}
+
+/// Whatever is chosen, tables lie beside or below their panes and have the size that they asked for.
+TEST(Layout, TablesGetTheirRoom) {
+  for (const double aspect : {0.25, 1.0, 4.0})
+    for (std::size_t panes = 1; panes <= 12; ++panes)
+      for (const std::size_t plots : {0U, 4U}) {
+        LayoutRequest r;
+        r.panes = panes;
+        r.domain_width = aspect;
+        r.domain_height = 1;
+        r.plots = plots;
+        r.tables = {{380, 300, 1}, {200, 210, 0.8F}};
+        const Layout l = render::arrange(r);
+        if (l.tables < 0) continue;
+        const render::TableSize& size = r.tables[static_cast<std::size_t>(l.tables)];
+        std::vector<Rect> parts = l.plots;
+        parts.push_back(l.panel);
+        for (const render::PaneBox& p : l.panes) {
+          parts.insert(parts.end(), {p.title, p.frame, p.caption, p.table});
+          EXPECT_GE(p.table.w, size.width) << aspect << " " << panes;
+          EXPECT_GE(p.table.h, size.height) << aspect << " " << panes;
+        }
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+          EXPECT_TRUE(inside(parts[i], {0, 0, 1280, 720})) << aspect << " " << panes << " part " << i;
+          for (std::size_t k = i + 1; k < parts.size(); ++k)
+            EXPECT_FALSE(parts[i].overlaps(parts[k])) << aspect << " " << panes << " parts " << i << " " << k;
+        }
+      }
+}
+
+/// A form is worth what it shows: the brief one is taken where the full one would leave too little of the panes.
+TEST(Layout, TablesGetBrieferWherePanesAreMany) {
+  LayoutRequest r;
+  r.tables = {{380, 300, 1}, {200, 210, 0.8F}};
+  EXPECT_EQ(render::arrange(r).tables, 0);
+  r.panes = 4;
+  EXPECT_EQ(render::arrange(r).tables, 1);
+  r.panes = 12;
+  EXPECT_EQ(render::arrange(r).tables, -1);
 }
 
 TEST(Layout, PanesUseTheSpace) {

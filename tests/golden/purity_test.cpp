@@ -3,6 +3,7 @@
 // makes no difference that an eye could see.
 #include "app/panel/panel.h"
 #include "sim/frame/errors.h"
+#include "tests/golden/ledgers.h"
 #include "tests/golden/pictures.h"
 
 #include <gtest/gtest.h>
@@ -15,6 +16,17 @@ namespace {
 render::Frame dragged() {
   render::Frame f = dam_frame(4);
   f.pointer = {{"transfer.flip_ratio", 1, 1, true}};
+  return f;
+}
+
+/// The notes of the stored snapshots, as without ledgers.
+render::Frame ledger_frame_without_notes(std::size_t panes) {
+  render::Frame f = ledger_frame(panes);
+  for (std::size_t i = 0; i < panes; ++i) {
+    auto s = std::make_shared<Snapshot>(*f.panes[i].snapshot);
+    s->notes = dam_frame(panes).panes[i].snapshot->notes;
+    f.panes[i].snapshot = s;
+  }
   return f;
 }
 
@@ -34,6 +46,15 @@ TEST_F(Purity, NothingRemainsOfOtherFrames) {
   (void)renderer_.draw(dragged(), view_with({"view.theme=light", "view.arrows=true", "view.grid=true"}));
   (void)renderer_.draw(frame_of("3D", {"dam_3d"}), view_with({"view.colour=id"}));
   EXPECT_EQ(alone.rgba, renderer_.draw(dam_frame(2), {}).rgba);
+}
+
+TEST_F(Purity, NothingRemainsOfLedgers) {
+  const render::ViewSettings shown = view_with({"view.ledger=total", "view.show_panel=false"});
+  const render::Image alone = renderer_.draw(dam_frame(2), {}), tables = renderer_.draw(ledger_frame(2), shown);
+  EXPECT_NE(tables.rgba, alone.rgba);
+  EXPECT_EQ(alone.rgba, renderer_.draw(dam_frame(2), {}).rgba);
+  EXPECT_EQ(tables.rgba, renderer_.draw(ledger_frame(2), shown).rgba);
+  EXPECT_EQ(alone.rgba, renderer_.draw(ledger_frame_without_notes(2), {}).rgba) << "off: the ledger is not looked at";
 }
 
 TEST_F(Purity, AnotherRendererGivesSameBytes) {

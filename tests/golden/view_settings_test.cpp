@@ -33,6 +33,9 @@ TEST(ViewSettings, RequestWhatTheyDraw) {
   EXPECT_THAT(view_with({"view.colour=vorticity"}).request().channels, testing::ElementsAre("vorticity"));
   EXPECT_TRUE(view_with({"view.arrows=true"}).request().faces);
   EXPECT_TRUE(view_with({"view.colour=id"}).request().channels.empty());
+  EXPECT_FALSE(render::ViewSettings{}.request().noise);
+  EXPECT_TRUE(view_with({"view.plots=kinetic,noise"}).request().noise);
+  EXPECT_FALSE(view_with({"view.plots=noise", "view.plot_height=0"}).request().noise) << "it costs a transfer";
 }
 
 TEST(ViewSettings, RefuseWithTheNearestName) {

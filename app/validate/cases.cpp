@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#include "app/validate/cases.h"
+
+#include <array>
+
+namespace flipbook::app {
+
+std::span<const std::unique_ptr<ValidationCase>> validation_cases() {
+  static const std::array all{taylor_green_case(),  gresho_case(),         elliptical_drop_case(), hydrostatic_case(),
+                              standing_wave_case(), dam_break_case(),      still_pool_case(),      lamb_oseen_case(),
+                              leapfrog_case(),      taylor_vortices_case()};
+  return all;
+}
+
+} // namespace flipbook::app
