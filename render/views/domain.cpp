@@ -127,8 +127,9 @@ bool draw_arrows(gui::Ink& ink, const PaneView& pane, const Palette& palette, do
       wet[static_cast<std::size_t>(i) + nx * static_cast<std::size_t>(j)] = 1;
   }
   // Middles of cells, thinned out until they are apart.
-  const auto stride = static_cast<std::size_t>(
-      std::max(1.0, std::ceil(ink.pt(arrow_gap) / (s.dx * static_cast<double>(pane.metre)) - 1e-3)));
+  const double cell = s.dx * static_cast<double>(pane.metre); // pixels; none in a picture too small for panes
+  if (!(cell > 1e-3)) return true;
+  const auto stride = static_cast<std::size_t>(std::max(1.0, std::ceil(ink.pt(arrow_gap) / cell - 1e-3)));
   std::vector<Arrow> arrows;
   for (std::size_t j = stride / 2; j < ny; j += stride)
     for (std::size_t i = stride / 2; i < nx; i += stride) {
