@@ -5,9 +5,9 @@
 #include "app/series/solid_places.h"
 #include "sim/core/vec.h"
 #include "sim/files/surface_ply.h"
+#include "sim/frame/curves.h"
 #include "sim/frame/errors.h"
 #include "sim/frame/particle_order.h"
-#include "sim/frame/curves.h"
 #include "sim/scene/read_scene.h"
 
 #include <algorithm>
