@@ -44,13 +44,9 @@ template <int Dim, class Real> struct Bench {
     to_velocity(m, u, pool);
   }
   void gather(const Components<Dim, Real>& next) {
-    if (corner.order <= 1) return g2p(corner, kernel, layout, trial.grid, next, u, trial.particles, pool);
-    XpicTerms<Dim, Real> xpic; // its terms beyond the first ride on the velocity that is gathered
-    Components<Dim, Real> filtered = xpic(
-        corner.order, kernel, layout, trial.grid, trial.particles, trial.order, u, [](Components<Dim, Real>&) {}, pool);
-    for (std::size_t a = 0; a < Dim; ++a)
-      for (std::size_t k = 0; k < next[a].size(); ++k) filtered[a][k] += next[a][k];
-    g2p(corner, kernel, layout, trial.grid, filtered, u, trial.particles, pool);
+    XpicTerms<Dim, Real> xpic;
+    const auto fold = [](Components<Dim, Real>&) {}; // no side is periodic
+    xpic.gather(corner, kernel, layout, trial.grid, next, u, trial.order, fold, trial.particles, pool);
   }
 
   /// Definitions 3.5 and 4.1 or 5.1: L_P = sum x_p x m v_p, plus what omega_p or C_p holds.

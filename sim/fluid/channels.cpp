@@ -2,23 +2,13 @@
 #include "sim/fluid/channels.h"
 
 #include "sim/core/cross.h"
-#include "sim/transfer/interpolate.h"
+#include "sim/fluid/publish.h"
 #include "sim/transfer/transfer.h"
 
 #include <cmath>
 
 namespace flipbook {
 namespace {
-
-/// value(particle) for every particle.
-template <class Value> std::vector<float> for_each_particle(std::size_t count, Pool& pool, Value&& value) {
-  std::vector<float> values(count);
-  pool.ranges(static_cast<std::int64_t>(count), 4096, [&](std::int64_t begin, std::int64_t end) {
-    for (auto p = static_cast<std::size_t>(begin); p < static_cast<std::size_t>(end); ++p)
-      values[p] = static_cast<float>(value(p));
-  });
-  return values;
-}
 
 /// Multilinear interpolation of a lattice with the given origin (in cells).
 template <int Dim, class Real>
@@ -123,21 +113,6 @@ template <int Dim, class Real> struct List {
   }();
 };
 
-/// The samples of a box as a lattice; `origin` in cells.
-template <int Dim, class Real>
-LatticeData lattice(const Grid<Dim>& grid, const Box<Dim>& box, std::string name, const Vec<Dim, double>& origin,
-                    const Field<Real>& f) {
-  LatticeData data;
-  data.name = std::move(name);
-  data.dx = static_cast<float>(grid.dx);
-  for (int d = 0; d < Dim; ++d) {
-    data.n[static_cast<std::size_t>(d)] = box.hi[d] - box.lo[d];
-    data.origin[static_cast<std::size_t>(d)] = static_cast<float>(grid.dx * origin[d]);
-  }
-  each_in(grid, box, [&](const Index<Dim>&, std::size_t at) { data.values.push_back(static_cast<float>(f[at])); });
-  return data;
-}
-
 } // namespace
 
 template <int Dim, class Real> std::vector<float> noise_of(const FluidState<Dim, Real>& s, Pool& pool) {
@@ -152,12 +127,7 @@ template <int Dim, class Real> std::vector<float> noise_of(const FluidState<Dim,
   s.walls.fold(mass);
   s.walls.fold(velocity);
   to_velocity(mass, velocity, pool);
-  return with_kernel(kernel, [&](auto k) {
-    const Interpolator<decltype(k), Dim, Real> u(Layout::mac, s.grid, velocity);
-    return for_each_particle(s.particles.size(), pool, [&](std::size_t p) {
-      return (s.particles.velocity(p) - u(s.particles.position(p))).norm();
-    });
-  });
+  return distance_from(velocity, kernel, Layout::mac, s.grid, s.particles, pool);
 }
 
 template <int Dim, class Real> std::span<const ChannelSource<Dim, Real>> channel_sources() {

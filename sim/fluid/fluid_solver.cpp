@@ -214,28 +214,11 @@ template <int Dim, class Real> void FluidSolver<Dim, Real>::reflect(double dt) {
 template <int Dim, class Real> void FluidSolver<Dim, Real>::grid_to_particles(const Components<Dim, Real>& u) {
   auto& s = state_;
   const auto& transfer = s.settings.transfer;
-  const Corner corner = transfer.corner();
   during(Stage::g2p, [&] {
-    if (corner.order > 1) return gather_filtered(corner, u);
-    g2p(corner, transfer.kernel, Layout::mac, s.grid, u, s.u_old, s.particles, pool_, &s.ballistic);
+    const auto fold = [&](Components<Dim, Real>& sums) { s.walls.fold(sums); };
+    xpic_.gather(transfer.corner(), transfer.kernel, Layout::mac, s.grid, u, s.u_old, s.order, fold, s.particles, pool_,
+                 &s.ballistic);
   });
-}
-
-/// XPIC: the terms beyond the first ride on the velocity that is gathered.
-template <int Dim, class Real>
-void FluidSolver<Dim, Real>::gather_filtered(const Corner& corner, const Components<Dim, Real>& u) {
-  auto& s = state_;
-  const KernelName kernel = s.settings.transfer.kernel;
-  const auto fold = [&](Components<Dim, Real>& sums) { s.walls.fold(sums); };
-  const Components<Dim, Real>& terms =
-      xpic_(corner.order, kernel, Layout::mac, s.grid, s.particles, s.order, s.u_old, fold, pool_, &s.ballistic);
-  Components<Dim, Real> filtered = u;
-  for (std::size_t d = 0; d < Dim; ++d)
-    pool_.ranges(s.grid.size(), 1 << 15, [&](std::int64_t begin, std::int64_t end) {
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-        filtered[d][i] += terms[d][i];
-    });
-  g2p(corner, kernel, Layout::mac, s.grid, filtered, s.u_old, s.particles, pool_, &s.ballistic);
 }
 
 /// A projection at the particles' places, handed to them as a correction: it costs no blending.

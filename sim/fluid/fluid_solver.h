@@ -55,7 +55,6 @@ private:
   void project(double dt, Field<double>& p);
   void reflect(double dt);
   void grid_to_particles(const Components<Dim, Real>& u);
-  void gather_filtered(const Corner& corner, const Components<Dim, Real>& u);
   void remove_divergence(double dt);
   void advect(double dt, const Components<Dim, Real>& u, double t);
   void keep_apart();

@@ -3,6 +3,7 @@
 
 #include "sim/fluid/channels.h"
 #include "sim/fluid/liquid_volume.h"
+#include "sim/fluid/publish.h"
 
 #include <cmath>
 
@@ -32,11 +33,7 @@ HistoryRow history_row(const FluidState<Dim, Real>& s, FluidLedger<Dim, Real>& l
   for (std::size_t i = 0; i < stage_names.size(); ++i)
     if (const auto stage = static_cast<Stage>(i); ledger.can_have(stage, s.settings))
       row.add("lost_" + std::string(stage_names[i].name), joule, -ledger.total(stage, Ledger::kinetic));
-  if (noise) {
-    double sum = 0;
-    for (const float n : noise_of(s, pool)) sum += static_cast<double>(n) * static_cast<double>(n);
-    row.add("noise", "m/s", std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, s.particles.size()))));
-  }
+  if (noise) row.add("noise", "m/s", root_mean_square(noise_of(s, pool)));
   return row;
 }
 

@@ -4,6 +4,7 @@
 #include "sim/boundary/surface.h"
 #include "sim/fluid/channels.h"
 #include "sim/fluid/history.h"
+#include "sim/fluid/publish.h"
 #include "sim/frame/particle_order.h"
 
 namespace flipbook {
@@ -80,27 +81,11 @@ std::shared_ptr<const Snapshot> Recorder<Dim, Real>::snapshot(const FluidState<D
   s->pressure_iterations = state.solve.iterations;
   s->pressure_residual = state.solve.residual;
 
-  s->dim = Dim;
-  s->dx = state.grid.dx;
-  for (int a = 0; a < Dim; ++a) {
-    const auto axis = static_cast<std::size_t>(a);
-    s->hi[axis] = state.grid.size_m()[a];
-    s->cells[axis] = state.grid.cells[a];
-    s->periodic[axis] = state.walls.periodic(a);
-  }
+  publish_domain(state.grid, state.walls, settings.seeding.per_axis, *s);
   s->up = settings.fluid.up(Dim);
   s->solids = solids(state);
 
-  const auto& particles = state.particles;
-  s->particle_spacing = state.grid.dx / settings.seeding.per_axis;
-  s->id = particles.id;
-  s->x.resize(Dim * particles.size());
-  s->v.resize(Dim * particles.size());
-  for (std::size_t p = 0; p < particles.size(); ++p)
-    for (std::size_t d = 0; d < Dim; ++d) {
-      s->x[Dim * p + d] = static_cast<float>(particles.x[d][p]);
-      s->v[Dim * p + d] = static_cast<float>(particles.v[d][p]);
-    }
+  publish_particles(state.particles, *s);
   for (const std::string& name : request.channels) s->channels.push_back(channel(state, name, pool));
   sort_particles(*s);
   s->lattices = lattices(state, request);

@@ -48,6 +48,19 @@ XpicTerms<Dim, Real>::operator()(int terms, KernelName kernel, Layout layout, co
   return sum_;
 }
 
+template <int Dim, class Real>
+void XpicTerms<Dim, Real>::gather(const Corner& corner, KernelName kernel, Layout layout, const Grid<Dim>& grid,
+                                  const Components<Dim, Real>& u, const Components<Dim, Real>& u_old,
+                                  const CellOrder<Dim>& order, const Fold& fold, Particles<Dim, Real>& particles,
+                                  Pool& pool, const std::vector<std::uint8_t>* ballistic) {
+  if (corner.order <= 1) return g2p(corner, kernel, layout, grid, u, u_old, particles, pool, ballistic);
+  const Components<Dim, Real>& terms =
+      (*this)(corner.order, kernel, layout, grid, particles, order, u_old, fold, pool, ballistic);
+  filtered_ = u;
+  each_sample(filtered_, pool, [&](std::size_t a, std::size_t i) { filtered_[a][i] += terms[a][i]; });
+  g2p(corner, kernel, layout, grid, filtered_, u_old, particles, pool, ballistic);
+}
+
 template class XpicTerms<2, float>;
 template class XpicTerms<2, double>;
 template class XpicTerms<3, float>;

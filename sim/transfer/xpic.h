@@ -49,9 +49,15 @@ public:
                                                         const Fold& fold, Pool& pool,
                                                         const std::vector<std::uint8_t>* ballistic = nullptr);
 
+  /// G2P of any corner: that of transfer.h, with the terms on top of u where corner.order asks for them.
+  void gather(const Corner& corner, KernelName kernel, Layout layout, const Grid<Dim>& grid,
+              const Components<Dim, Real>& u, const Components<Dim, Real>& u_old, const CellOrder<Dim>& order,
+              const Fold& fold, Particles<Dim, Real>& particles, Pool& pool,
+              const std::vector<std::uint8_t>* ballistic = nullptr);
+
 private:
   Particles<Dim, Real> carrier_; ///< positions and masses, with S delta as the velocity
-  Components<Dim, Real> mass_, delta_, back_, sum_;
+  Components<Dim, Real> mass_, delta_, back_, sum_, filtered_;
 };
 
 } // namespace flipbook

@@ -49,18 +49,9 @@ template <int Dim, class Real> void RoundTrips<Dim, Real>::step(double dt) {
 
 template <int Dim, class Real> void RoundTrips<Dim, Real>::grid_to_particles() {
   auto& s = state_;
-  const Corner corner = s.settings.transfer.corner();
-  if (corner.order <= 1) return g2p(corner, s.kernel(), s.layout(), s.grid, s.u, s.u, s.particles, pool_);
-  // XPIC: the terms beyond the first ride on the velocity that is gathered.
   const auto fold = [&](Components<Dim, Real>& sums) { s.walls.fold(sums); };
-  Components<Dim, Real> filtered =
-      xpic_(corner.order, s.kernel(), s.layout(), s.grid, s.particles, s.order, s.u, fold, pool_);
-  for (std::size_t a = 0; a < Dim; ++a)
-    pool_.ranges(s.grid.size(), 1 << 15, [&](std::int64_t begin, std::int64_t end) {
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-        filtered[a][i] += s.u[a][i];
-    });
-  g2p(corner, s.kernel(), s.layout(), s.grid, filtered, s.u, s.particles, pool_);
+  xpic_.gather(s.settings.transfer.corner(), s.kernel(), s.layout(), s.grid, s.u, s.u, s.order, fold, s.particles,
+               pool_);
 }
 
 template <int Dim, class Real> void RoundTrips<Dim, Real>::check_finite() const {

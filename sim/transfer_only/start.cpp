@@ -2,8 +2,8 @@
 #include "sim/transfer_only/start.h"
 
 #include "sim/fluid/fluid_state.h"
+#include "sim/fluid/publish.h"
 #include "sim/scene/seeding.h"
-#include "sim/transfer/interpolate.h"
 #include "sim/transfer/transfer.h"
 
 #include <algorithm>
@@ -104,15 +104,7 @@ template <int Dim, class Real> std::vector<float> unseen(const TripState<Dim, Re
   m.resize(s.grid);
   field.resize(s.grid);
   particles_to_grid(s, s.particles, m, field, pool);
-  std::vector<float> difference(s.particles.size());
-  with_kernel(s.kernel(), [&](auto k) {
-    const Interpolator<decltype(k), Dim, Real> u(s.layout(), s.grid, field);
-    pool.ranges(static_cast<std::int64_t>(difference.size()), 4096, [&](std::int64_t begin, std::int64_t end) {
-      for (auto p = static_cast<std::size_t>(begin); p < static_cast<std::size_t>(end); ++p)
-        difference[p] = static_cast<float>((s.particles.velocity(p) - u(s.particles.position(p))).norm());
-    });
-  });
-  return difference;
+  return distance_from(field, s.kernel(), s.layout(), s.grid, s.particles, pool);
 }
 
 template <int Dim, class Real> TripState<Dim, Real> start_of_trips(const Scene& scene, Pool& pool) {

@@ -2,9 +2,9 @@
 #include "sim/transfer_only/trip_recorder.h"
 
 #include "sim/core/cross.h"
+#include "sim/fluid/publish.h"
 #include "sim/frame/errors.h"
 #include "sim/frame/particle_order.h"
-#include "sim/transfer/interpolate.h"
 #include "sim/transfer_only/kept.h"
 
 #include <cmath>
@@ -12,16 +12,6 @@
 
 namespace flipbook {
 namespace {
-
-/// value(particle) for every particle.
-template <class Value> std::vector<float> for_each_particle(std::size_t count, Pool& pool, Value&& value) {
-  std::vector<float> values(count);
-  pool.ranges(static_cast<std::int64_t>(count), 4096, [&](std::int64_t begin, std::int64_t end) {
-    for (auto p = static_cast<std::size_t>(begin); p < static_cast<std::size_t>(end); ++p)
-      values[p] = static_cast<float>(value(p));
-  });
-  return values;
-}
 
 /// Curl of the grid's velocity. 2D: omega_z; 3D: |omega|.
 template <int Dim, class Real> std::vector<float> vorticity(const TripState<Dim, Real>& s, Pool& pool) {
@@ -77,17 +67,8 @@ template <int Dim, class Real> std::vector<LatticeData> lattices(const TripState
   for (int a = 0; a < Dim; ++a) {
     Box<Dim> box = faces_of(s.grid, a);
     if (s.layout() == Layout::nodes) box.hi = s.grid.cells.array() + Grid<Dim>::pad + 1;
-    LatticeData data;
-    data.name = std::string(1, "uvw"[a]);
-    data.dx = static_cast<float>(s.grid.dx);
-    const auto origin = component_origin<Dim, double>(s.layout(), a);
-    for (int d = 0; d < Dim; ++d) {
-      data.n[static_cast<std::size_t>(d)] = box.hi[d] - box.lo[d];
-      data.origin[static_cast<std::size_t>(d)] = static_cast<float>(s.grid.dx * origin[d]);
-    }
-    const Field<Real>& u = s.u[static_cast<std::size_t>(a)];
-    each_in(s.grid, box, [&](const Index<Dim>&, std::size_t at) { data.values.push_back(static_cast<float>(u[at])); });
-    all.push_back(std::move(data));
+    all.push_back(lattice(s.grid, box, std::string(1, "uvw"[a]), component_origin<Dim, double>(s.layout(), a),
+                          s.u[static_cast<std::size_t>(a)]));
   }
   return all;
 }
@@ -141,11 +122,7 @@ HistoryRow TripRecorder<Dim, Real>::row(const TripState<Dim, Real>& s, const Tri
   add_share("kept", k.kept);
   add_share("kept_rotation", k.rotation);
   add_share("kept_strain", k.strain);
-  if (with_noise) {
-    double sum = 0;
-    for (const float n : unseen(s, pool)) sum += static_cast<double>(n) * static_cast<double>(n);
-    row.add("noise", "m/s", std::sqrt(sum / static_cast<double>(s.particles.size())));
-  }
+  if (with_noise) row.add("noise", "m/s", root_mean_square(unseen(s, pool)));
   const auto add_held = [&](std::size_t q) {
     row.add(ledger.quantities()[q].name, ledger.quantities()[q].unit, ledger.held(q));
   };
@@ -178,25 +155,8 @@ std::shared_ptr<const Snapshot> TripRecorder<Dim, Real>::snapshot(const TripStat
   s->time = state.time;
   s->steps = state.steps;
   s->dt = state.steps > 0 ? settings.time.dt : 0;
-  s->dim = Dim;
-  s->dx = state.grid.dx;
-  for (int a = 0; a < Dim; ++a) {
-    const auto axis = static_cast<std::size_t>(a);
-    s->hi[axis] = state.grid.size_m()[a];
-    s->cells[axis] = state.grid.cells[a];
-    s->periodic[axis] = state.walls.periodic(a);
-  }
-
-  const auto& particles = state.particles;
-  s->particle_spacing = state.grid.dx / settings.seeding.per_axis;
-  s->id = particles.id;
-  s->x.resize(Dim * particles.size());
-  s->v.resize(Dim * particles.size());
-  for (std::size_t p = 0; p < particles.size(); ++p)
-    for (std::size_t d = 0; d < Dim; ++d) {
-      s->x[Dim * p + d] = static_cast<float>(particles.x[d][p]);
-      s->v[Dim * p + d] = static_cast<float>(particles.v[d][p]);
-    }
+  publish_domain(state.grid, state.walls, settings.seeding.per_axis, *s);
+  publish_particles(state.particles, *s);
   for (const std::string& name : request.channels) s->channels.push_back(channel(state, name, pool));
   sort_particles(*s);
   if (request.faces) s->lattices = lattices(state);
