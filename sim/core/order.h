@@ -42,8 +42,8 @@ template <int Dim> struct CellOrder {
 
 /// Position in grid units, counted from the first pad sample of a lattice with origin 0. Every index of a particle is
 /// derived from this one rounded number, so that its cell and its stencil always agree.
-template <class Real> [[nodiscard]] constexpr Real grid_position(Real x, Real inverse_dx) {
-  return x * inverse_dx + Grid<2>::pad;
+template <class T, class Real> [[nodiscard]] constexpr T grid_position(T x, Real inverse_dx) {
+  return x * T(inverse_dx) + T(Grid<2>::pad);
 }
 
 /// The cell that holds x, pads included.
@@ -61,25 +61,27 @@ void sort_by_cell(Particles<Dim, Real>& particles, const Grid<Dim>& grid, CellOr
 /// Cells along an edge of a block: a multiple of 4, and at least 4 for the reach of cubic kernels on MAC faces.
 inline constexpr int block_edge = 8;
 
-/// body(begin, end) for runs of particles that together are all of them. Runs of one block come in order on one thread;
-/// blocks that run at the same time are a block apart.
+/// body(begin, end) for the runs of particles of the block whose first cell this is, row of cells after row of cells.
 template <int Dim, class Body>
-void each_block(const Grid<Dim>& grid, const CellOrder<Dim>& order, Pool& pool, Body&& body) {
-  const Index<Dim> extent = grid.extent();
-  const auto run_block = [&](const Index<Dim>& first) {
-    const Index<Dim> last = (first.array() + block_edge).min(extent.array());
-    for (Index<Dim> c = first; c[Dim - 1] < last[Dim - 1];) {
-      Index<Dim> end = c;
-      end[0] = last[0] - 1;
-      const std::uint32_t p = order.start[static_cast<std::size_t>(grid.at(c))];
-      const std::uint32_t q = order.start[static_cast<std::size_t>(grid.at(end)) + 1];
-      if (p != q) body(p, q);
-      ++c[1]; // the next row of cells
-      if constexpr (Dim == 3) {
-        if (c[1] == last[1]) c[1] = first[1], ++c[2];
-      }
+void each_run(const Grid<Dim>& grid, const CellOrder<Dim>& order, const Index<Dim>& first, Body&& body) {
+  const Index<Dim> last = (first.array() + block_edge).min(grid.extent().array());
+  for (Index<Dim> c = first; c[Dim - 1] < last[Dim - 1];) {
+    Index<Dim> end = c;
+    end[0] = last[0] - 1;
+    const std::uint32_t p = order.start[static_cast<std::size_t>(grid.at(c))];
+    const std::uint32_t q = order.start[static_cast<std::size_t>(grid.at(end)) + 1];
+    if (p != q) body(std::size_t{p}, std::size_t{q});
+    ++c[1]; // the next row of cells
+    if constexpr (Dim == 3) {
+      if (c[1] == last[1]) c[1] = first[1], ++c[2];
     }
-  };
+  }
+}
+
+/// body(first) for the first cell of every block, colour after colour; blocks that run at the same time are a block
+/// apart.
+template <int Dim, class Body> void each_block(const Grid<Dim>& grid, Pool& pool, Body&& body) {
+  const Index<Dim> extent = grid.extent();
   for (int colour = 0; colour < 1 << Dim; ++colour) {
     Index<Dim> parity, count;
     for (int d = 0; d < Dim; ++d) {
@@ -89,7 +91,7 @@ void each_block(const Grid<Dim>& grid, const CellOrder<Dim>& order, Pool& pool, 
     pool.each(count.prod(), [&](int b) {
       Index<Dim> first;
       for (int d = 0; d < Dim; b /= count[d], ++d) first[d] = block_edge * (2 * (b % count[d]) + parity[d]);
-      run_block(first);
+      body(static_cast<const Index<Dim>&>(first));
     });
   }
 }

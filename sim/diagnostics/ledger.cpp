@@ -129,7 +129,7 @@ private:
 
   /// D at q of a lattice with origin 0, m^2; the fraction is the one that the transfers round to.
   [[nodiscard]] double second_moment(Real q) const {
-    return dx * dx * K::second_moment(static_cast<double>(q - static_cast<Real>(K::base(q))));
+    return dx * dx * K::second_moment(static_cast<double>(q - K::base(q)));
   }
 
   /// sum m value.

@@ -2,27 +2,99 @@
 #include "sim/fluid/advect.h"
 
 #include "sim/transfer/interpolate.h"
+#include "sim/transfer/lanes.h"
 
 namespace flipbook {
 namespace {
 
 constexpr std::int64_t grain = 2048;
 
-/// The displacement of one step. Stages that leave the domain see the velocity at the wall, or across the periodic
-/// side.
-template <class Velocity, int Dim, class Real>
-Vec<Dim, Real> displacement(Advection method, const Velocity& velocity, const Walls<Dim, Real>& walls,
-                            const Vec<Dim, Real>& x, Real dt) {
-  const auto at = [&](Vec<Dim, Real> y) {
-    walls.confine(y);
-    return y.allFinite() ? velocity(y) : y; // a particle that stopped being finite is reported at the end of the step
-  };
-  const Vec<Dim, Real> k1 = velocity(x);
-  if (method == Advection::rk1) return dt * k1;
-  const Vec<Dim, Real> k2 = at(x + dt / 2 * k1);
-  if (method == Advection::rk2) return dt * k2;
-  const Vec<Dim, Real> k3 = at(x + Real(0.75) * dt * k2);
-  return dt / 9 * (2 * k1 + 3 * k2 + 4 * k3);
+/// Moves points along the velocity of the grid, a pack at a time.
+template <class Velocity, int Dim, class Real> class Mover {
+public:
+  using T = Pack<Real>;
+  using Point = std::array<T, Dim>;
+
+  Mover(Advection method, const Velocity& velocity, const Grid<Dim>& grid, const Walls<Dim, Real>& walls, double dt)
+      : method_(method), velocity_(velocity), dt_(static_cast<Real>(dt)),
+        gap_(static_cast<Real>(Walls<Dim, Real>::gap * grid.dx)) {
+    for (int a = 0; a < Dim; ++a) {
+      const auto axis = static_cast<std::size_t>(a);
+      size_[axis] = static_cast<Real>(grid.cells[a] * grid.dx);
+      periodic_[axis] = walls.periodic(a);
+    }
+  }
+
+  /// x after the step; true if any met a wall.
+  [[nodiscard]] bool operator()(Point& x) const {
+    const Point k1 = velocity_(x);
+    if (method_ == Advection::rk1) {
+      move(x, dt_, k1);
+    } else {
+      const Point k2 = at_stage(x, Real(0.5) * dt_, k1);
+      if (method_ == Advection::rk2) {
+        move(x, dt_, k2);
+      } else {
+        const Point k3 = at_stage(x, Real(0.75) * dt_, k2);
+        for (std::size_t d = 0; d < Dim; ++d) x[d] += T(dt_ / 9) * (T(2) * k1[d] + T(3) * k2[d] + T(4) * k3[d]);
+      }
+    }
+    return confine(x);
+  }
+
+private:
+  static void move(Point& x, Real dt, const Point& v) {
+    for (std::size_t d = 0; d < Dim; ++d) x[d] += T(dt) * v[d];
+  }
+
+  /// The velocity at x + dt v. Stages that leave the domain see it at the wall, or across the periodic side.
+  [[nodiscard]] Point at_stage(Point x, Real dt, const Point& v) const {
+    move(x, dt, v);
+    (void)confine(x);
+    // A particle that stopped being finite must not be looked up; it is reported at the end of the step.
+    for (std::size_t d = 0; d < Dim; ++d) x[d] = choose(x[d] >= T(0) && x[d] <= T(size_[d]), x[d], T(0));
+    return velocity_(x);
+  }
+
+  /// As Walls::confine.
+  bool confine(Point& x) const {
+    bool met = false;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const T size(size_[d]);
+      if (periodic_[d]) {
+        const auto inside = x[d] >= T(0) && x[d] < size;
+        const T wrapped = x[d] - size * round_down(x[d] / size);
+        x[d] = choose(inside, x[d], choose(wrapped >= size, T(0), wrapped));
+      } else {
+        const T lowest(gap_), highest(size_[d] - gap_);
+        const auto below = x[d]<lowest, above = x[d]> highest;
+        met = met || any_of(below || above);
+        x[d] = choose(below, lowest, choose(above, highest, x[d]));
+      }
+    }
+    return met;
+  }
+
+  Advection method_;
+  const Velocity& velocity_;
+  Real dt_, gap_;
+  std::array<Real, Dim> size_;
+  std::array<bool, Dim> periodic_;
+};
+
+/// A particle that flies on its own; a wall takes what points into it of its velocity.
+template <int Dim, class Real>
+bool fly(const Walls<Dim, Real>& walls, Real dt, Particles<Dim, Real>& particles, std::size_t p) {
+  Vec<Dim, Real> x = particles.position(p), v = particles.velocity(p);
+  x += dt * v;
+  const unsigned met = walls.confine(x);
+  for (int a = 0; a < Dim; ++a) {
+    if (met >> (2 * a) & 1) v[a] = std::max(v[a], Real(0));
+    if (met >> (2 * a + 1) & 1) v[a] = std::min(v[a], Real(0));
+  }
+  particles.set_velocity(p, v);
+  particles.set_position(p, x);
+  return met != 0;
 }
 
 } // namespace
@@ -33,27 +105,21 @@ bool advect(Advection method, KernelName kernel, const Grid<Dim>& grid, const Wa
             Particles<Dim, Real>& particles, Pool& pool) {
   return with_kernel(kernel, [&](auto k) {
     const Interpolator<decltype(k), Dim, Real> velocity(Layout::mac, grid, u);
+    const Mover<decltype(velocity), Dim, Real> mover(method, velocity, grid, walls, dt);
     const auto move = [&](std::int64_t begin, std::int64_t end) {
-      unsigned walls_met = 0;
-      const Real step = static_cast<Real>(dt);
-      for (auto p = static_cast<std::size_t>(begin); p < static_cast<std::size_t>(end); ++p) {
-        Vec<Dim, Real> x = particles.position(p), v = particles.velocity(p);
-        if (!ballistic[p]) {
-          x += displacement(method, velocity, walls, x, step);
-          walls_met |= walls.confine(x);
-        } else {
-          x += step * v;
-          const unsigned met = walls.confine(x);
-          walls_met |= met;
-          for (int a = 0; a < Dim; ++a) {
-            if (met >> (2 * a) & 1) v[a] = std::max(v[a], Real(0));
-            if (met >> (2 * a + 1) & 1) v[a] = std::min(v[a], Real(0));
-          }
-          particles.set_velocity(p, v);
+      bool wall_met = false;
+      const auto last = static_cast<std::size_t>(end);
+      for (auto p = static_cast<std::size_t>(begin); p < last; p += lanes_of<Pack<Real>>) {
+        const Lanes<Real> lanes(p, last - p, ballistic.data());
+        if (!lanes.all_skipped()) {
+          std::array<Pack<Real>, Dim> x;
+          for (std::size_t d = 0; d < Dim; ++d) x[d] = lanes.read(particles.x[d].data());
+          wall_met |= mover(x);
+          for (std::size_t d = 0; d < Dim; ++d) lanes.write(x[d], particles.x[d].data());
         }
-        particles.set_position(p, x);
+        lanes.each_skipped([&](std::size_t q) { wall_met |= fly(walls, static_cast<Real>(dt), particles, q); });
       }
-      return walls_met != 0 ? 1 : 0;
+      return wall_met ? 1 : 0;
     };
     return pool.sum(static_cast<std::int64_t>(particles.size()), grain, 0, move) > 0;
   });

@@ -106,8 +106,7 @@ template <int Dim, class Real> Index<Dim> Walls<Dim, Real>::image(Index<Dim> i) 
 }
 
 template <int Dim, class Real> unsigned Walls<Dim, Real>::confine(Vec<Dim, Real>& x) const {
-  // A thousandth of a cell keeps the last position before the wall apart from the wall in single precision as well.
-  const Real gap = static_cast<Real>(1e-3 * grid_.dx);
+  const Real apart = static_cast<Real>(gap * grid_.dx);
   unsigned met = 0;
   for (int a = 0; a < Dim; ++a) {
     const Real size = static_cast<Real>(grid_.cells[a] * grid_.dx);
@@ -115,11 +114,11 @@ template <int Dim, class Real> unsigned Walls<Dim, Real>::confine(Vec<Dim, Real>
       if (x[a] >= 0 && x[a] < size) continue;
       x[a] -= size * std::floor(x[a] / size);
       if (x[a] >= size) x[a] = 0; // -1e-20 + size rounds to size
-    } else if (x[a] < gap) {
-      x[a] = gap;
+    } else if (x[a] < apart) {
+      x[a] = apart;
       met |= 1u << (2 * a);
-    } else if (x[a] > size - gap) {
-      x[a] = size - gap;
+    } else if (x[a] > size - apart) {
+      x[a] = size - apart;
       met |= 2u << (2 * a);
     }
   }

@@ -23,6 +23,10 @@ template <int Dim, class Real> class Walls {
 public:
   Walls(const Grid<Dim>& grid, const WallSettings& settings);
 
+  /// Of a cell, between a wall and what comes next to it: it keeps the last position before the wall apart from the
+  /// wall in single precision as well.
+  static constexpr double gap = 1e-3;
+
   Components<Dim, Real> open;    ///< open fraction of each face: 1 open, 0 solid
   Components<Dim, Real> u_solid; ///< velocity of its solid part (m/s)
   /// Which faces in the domain an obstacle closes, one byte each; empty without obstacles.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The list of interpolation kernels, and what a kernel is: one axis of a tensor product, in grid units. A new kernel is
-// one header and one name in each of the two lists below.
+// one header and one name in each of the two lists below. Its functions are templates over the value type T: the sweeps
+// call them with packs of particles (core/pack.h), so that constants are written T(0.5).
 #pragma once
 
 #include "sim/frame/parameters.h"
@@ -20,7 +21,7 @@ concept Kernel = requires(double q) {
   { K::name } -> std::convertible_to<std::string_view>;
   { K::summary } -> std::convertible_to<std::string_view>;
   { K::support } -> std::convertible_to<int>;                        // samples touched on an axis
-  { K::base(q) } -> std::same_as<int>;                               // the first of them
+  { K::base(q) } -> std::same_as<double>;                            // the first of them, a whole number
   { K::weights(q) } -> std::same_as<std::array<double, K::support>>; // N(i - f), f = q - base
   { K::slopes(q) } -> std::same_as<std::array<double, K::support>>;  // dN/df
   { K::affine(q) } -> std::same_as<std::array<double, K::support>>;  // D^-1 N (i - f)

@@ -5,6 +5,8 @@
 // D vanishes on a sample, but D^-1 N t is the slope dN/df everywhere, so the affine weights need no division.
 #pragma once
 
+#include "sim/core/pack.h"
+
 #include <array>
 #include <string_view>
 
@@ -15,23 +17,23 @@ struct Linear {
   static constexpr std::string_view summary = "Linear B-spline: 2 samples per axis, sharp and fast";
   static constexpr int support = 2;
 
-  template <class Real> using Weights = std::array<Real, support>;
+  template <class T> using Weights = std::array<T, support>;
 
   /// First sample touched; q >= 0.
-  template <class Real> static constexpr int base(Real q) { return static_cast<int>(q); }
+  template <class T> static T base(T q) { return whole(q); }
   /// N(i - f).
-  template <class Real> static constexpr Weights<Real> weights(Real f) { return {1 - f, f}; }
+  template <class T> static constexpr Weights<T> weights(T f) { return {T(1) - f, f}; }
   /// Derivative of the weights by the particle's position.
-  template <class Real> static constexpr Weights<Real> slopes(Real) { return {Real(-1), Real(1)}; }
+  template <class T> static constexpr Weights<T> slopes(T) { return {T(-1), T(1)}; }
   /// D^-1 N (i - f).
-  template <class Real> static constexpr Weights<Real> affine(Real f) { return slopes(f); }
+  template <class T> static constexpr Weights<T> affine(T f) { return slopes(f); }
   /// N (i - f).
-  template <class Real> static constexpr Weights<Real> moment(Real f) {
-    const Real d = second_moment(f);
+  template <class T> static constexpr Weights<T> moment(T f) {
+    const T d = second_moment(f);
     return {-d, d};
   }
   /// D = sum N (i - f)^2.
-  template <class Real> static constexpr Real second_moment(Real f) { return f * (1 - f); }
+  template <class T> static constexpr T second_moment(T f) { return f * (T(1) - f); }
 };
 
 } // namespace flipbook

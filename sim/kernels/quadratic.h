@@ -6,6 +6,8 @@
 //   D = sum N t^2 = 1/4          with t = i - f
 #pragma once
 
+#include "sim/core/pack.h"
+
 #include <array>
 #include <string_view>
 
@@ -16,31 +18,29 @@ struct Quadratic {
   static constexpr std::string_view summary = "Quadratic B-spline: 3 samples per axis, continuous gradients";
   static constexpr int support = 3;
 
-  template <class Real> using Weights = std::array<Real, support>;
+  template <class T> using Weights = std::array<T, support>;
 
   /// First sample touched; q >= 1/2.
-  template <class Real> static constexpr int base(Real q) { return static_cast<int>(q - Real(0.5)); }
+  template <class T> static T base(T q) { return whole(q - T(0.5)); }
   /// N(i - f).
-  template <class Real> static constexpr Weights<Real> weights(Real f) {
-    const Real a = Real(1.5) - f, b = f - 1, c = f - Real(0.5);
-    return {Real(0.5) * a * a, Real(0.75) - b * b, Real(0.5) * c * c};
+  template <class T> static constexpr Weights<T> weights(T f) {
+    const T a = T(1.5) - f, b = f - T(1), c = f - T(0.5);
+    return {T(0.5) * a * a, T(0.75) - b * b, T(0.5) * c * c};
   }
   /// Derivative of the weights by the particle's position.
-  template <class Real> static constexpr Weights<Real> slopes(Real f) {
-    return {f - Real(1.5), -2 * (f - 1), f - Real(0.5)};
-  }
+  template <class T> static constexpr Weights<T> slopes(T f) { return {f - T(1.5), T(2) - T(2) * f, f - T(0.5)}; }
   /// D^-1 N (i - f).
-  template <class Real> static constexpr Weights<Real> affine(Real f) {
-    const Weights<Real> n = weights(f);
-    return {-4 * f * n[0], 4 * (1 - f) * n[1], 4 * (2 - f) * n[2]};
+  template <class T> static constexpr Weights<T> affine(T f) {
+    const Weights<T> n = weights(f);
+    return {T(-4) * f * n[0], T(4) * (T(1) - f) * n[1], T(4) * (T(2) - f) * n[2]};
   }
   /// N (i - f).
-  template <class Real> static constexpr Weights<Real> moment(Real f) {
-    const Weights<Real> n = weights(f);
-    return {-f * n[0], (1 - f) * n[1], (2 - f) * n[2]};
+  template <class T> static constexpr Weights<T> moment(T f) {
+    const Weights<T> n = weights(f);
+    return {-f * n[0], (T(1) - f) * n[1], (T(2) - f) * n[2]};
   }
   /// D = sum N (i - f)^2.
-  template <class Real> static constexpr Real second_moment(Real) { return Real(0.25); }
+  template <class T> static constexpr T second_moment(T) { return T(0.25); }
 };
 
 } // namespace flipbook

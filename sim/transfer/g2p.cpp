@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "sim/transfer/transfer.h"
 
+#include "sim/transfer/lanes.h"
 #include "sim/transfer/scalar_sweep.h"
 #include "sim/transfer/sweep.h"
+
+#include <algorithm>
 
 namespace flipbook {
 namespace {
 
 constexpr std::int64_t particles_per_chunk = 1 << 12;
 
-/// Reads fields at particles and writes the particles' columns.
+/// Reads fields at packs of particles and writes the particles' columns.
 template <class Mode, class K, int Dim, class Real> struct Gatherer {
-  static constexpr std::size_t state_size = std::tuple_size_v<decltype(Mode::state)>;
+  using T = Pack<Real>;
   using State = decltype(Mode::state);
+  static constexpr std::size_t state_size = std::tuple_size_v<State>;
 
   Walk<Dim, Real> walk;
   Corner corner;
@@ -28,7 +32,7 @@ template <class Mode, class K, int Dim, class Real> struct Gatherer {
 
   /// sum w u and its first sums for every component, from one stencil.
   using Fields = std::array<const Real*, Dim>;
-  [[nodiscard]] static auto gather(const Walk<Dim, Real>& walk, const auto& stencil, const Fields& u) {
+  [[nodiscard]] auto gather(const auto& stencil, const Fields& u) const {
     std::array<decltype(stencil.gather(walk, 0, u[0])), Dim> sums;
     for (int a = 0; a < Dim; ++a)
       sums[static_cast<std::size_t>(a)] = stencil.gather(walk, a, u[static_cast<std::size_t>(a)]);
@@ -41,17 +45,19 @@ template <class Mode, class K, int Dim, class Real> struct Gatherer {
     mode.gather(stencil, sums, walk.inverse_dx);
     if constexpr (Mode::mode == AffineMode::full)
       if (corner.skew) mode.keep_skew();
-    for (Real& s : mode.state) s *= static_cast<Real>(corner.affine);
+    for (T& s : mode.state) s *= T(static_cast<Real>(corner.affine));
     return mode.state;
   }
 
-  /// body(p, stencil) for every particle that is not ballistic.
+  /// body(lanes, stencil) for every pack in which not all are ballistic.
   template <class Body> void each(std::size_t count, Pool& pool, Body&& body) const {
     pool.ranges(static_cast<std::int64_t>(count), particles_per_chunk, [&](std::int64_t begin, std::int64_t end) {
-      for (auto p = static_cast<std::size_t>(begin); p < static_cast<std::size_t>(end); ++p) {
-        if (ballistic && ballistic[p]) continue;
-        body(p,
-             Stencil<K, Dim, Real, typename Mode::Second>(walk, walk.position([&](std::size_t d) { return x[d][p]; })));
+      const auto last = static_cast<std::size_t>(end);
+      for (auto p = static_cast<std::size_t>(begin); p < last; p += lanes_of<T>) {
+        const Lanes<Real> lanes(p, last - p, ballistic);
+        if (lanes.all_skipped()) continue;
+        body(lanes, Stencil<K, Dim, T, typename Mode::Second>(
+                        walk, walk.position([&](std::size_t d) { return lanes.read(x[d]); })));
       }
     });
   }
@@ -73,22 +79,23 @@ void g2p(const Corner& corner, KernelName kernel, Layout layout, const Grid<Dim>
          const Components<Dim, Real>& u_old, Particles<Dim, Real>& particles, Pool& pool,
          const std::vector<std::uint8_t>* ballistic) {
   if (corner.scalar) return scalar_g2p(Take::all, corner, kernel, layout, grid, u, u_old, particles, pool, ballistic);
-  const auto flip_ratio = static_cast<Real>(corner.flip_ratio);
   const auto now = pointers<Dim>(u), before = pointers<Dim>(u_old);
   with_gatherer(corner, kernel, layout, grid, particles, ballistic, [&](const auto& to) {
-    to.each(particles.size(), pool, [=, &to](std::size_t p, const auto& stencil) {
-      const auto sums = to.gather(to.walk, stencil, now);
-      std::array<Real, Dim> v;
-      for (std::size_t a = 0; a < Dim; ++a) v[a] = sums[a].value;
-      if (flip_ratio != 0) {
-        std::array<Real, Dim> old;
-        for (std::size_t a = 0; a < Dim; ++a) old[a] = stencil.value(to.walk, static_cast<int>(a), before[a]);
-        // In this order v_p comes back unchanged, to the bit, where the grid did nothing and flip_ratio is 1.
-        for (std::size_t a = 0; a < Dim; ++a) v[a] = (v[a] - flip_ratio * old[a]) + flip_ratio * to.v[a][p];
+    using T = Pack<Real>;
+    const T flip_ratio(static_cast<Real>(corner.flip_ratio));
+    to.each(particles.size(), pool, [=, &corner, &to](const auto& lanes, const auto& stencil) {
+      const auto sums = to.gather(stencil, now);
+      for (std::size_t a = 0; a < Dim; ++a) {
+        T v = sums[a].value;
+        if (corner.flip_ratio != 0) {
+          // In this order v_p comes back unchanged, to the bit, where the grid did nothing and flip_ratio is 1.
+          const T old = stencil.value(to.walk, static_cast<int>(a), before[a]);
+          v = (v - flip_ratio * old) + flip_ratio * lanes.read(to.v[a]);
+        }
+        lanes.write(v, to.v[a]);
       }
-      for (std::size_t a = 0; a < Dim; ++a) to.v[a][p] = v[a];
       const auto state = to.affine_state(stencil, sums);
-      for (std::size_t c = 0; c < state.size(); ++c) to.A[c][p] = state[c];
+      for (std::size_t c = 0; c < state.size(); ++c) lanes.write(state[c], to.A[c]);
     });
   });
 }
@@ -101,11 +108,11 @@ void g2p_increment(const Corner& corner, KernelName kernel, Layout layout, const
     return scalar_g2p(Take::increment, corner, kernel, layout, grid, du, du, particles, pool, ballistic);
   const auto change = pointers<Dim>(du);
   with_gatherer(corner, kernel, layout, grid, particles, ballistic, [&](const auto& to) {
-    to.each(particles.size(), pool, [=, &to](std::size_t p, const auto& stencil) {
-      const auto sums = to.gather(to.walk, stencil, change);
-      for (std::size_t a = 0; a < Dim; ++a) to.v[a][p] += sums[a].value;
+    to.each(particles.size(), pool, [=, &to](const auto& lanes, const auto& stencil) {
+      const auto sums = to.gather(stencil, change);
+      for (std::size_t a = 0; a < Dim; ++a) lanes.write(lanes.read(to.v[a]) + sums[a].value, to.v[a]);
       const auto state = to.affine_state(stencil, sums);
-      for (std::size_t c = 0; c < state.size(); ++c) to.A[c][p] += state[c];
+      for (std::size_t c = 0; c < state.size(); ++c) lanes.write(lanes.read(to.A[c]) + state[c], to.A[c]);
     });
   });
 }
@@ -116,9 +123,9 @@ void gather_affine(const Corner& corner, KernelName kernel, Layout layout, const
   if (corner.scalar) return scalar_g2p(Take::memory, corner, kernel, layout, grid, u, u, particles, pool, nullptr);
   const auto now = pointers<Dim>(u);
   with_gatherer(corner, kernel, layout, grid, particles, nullptr, [&](const auto& to) {
-    to.each(particles.size(), pool, [=, &to](std::size_t p, const auto& stencil) {
-      const auto state = to.affine_state(stencil, to.gather(to.walk, stencil, now));
-      for (std::size_t c = 0; c < state.size(); ++c) to.A[c][p] = state[c];
+    to.each(particles.size(), pool, [=, &to](const auto& lanes, const auto& stencil) {
+      const auto state = to.affine_state(stencil, to.gather(stencil, now));
+      for (std::size_t c = 0; c < state.size(); ++c) lanes.write(state[c], to.A[c]);
     });
   });
 }

@@ -18,9 +18,19 @@ public:
   }
 
   [[nodiscard]] Vec<Dim, Real> operator()(const Vec<Dim, Real>& x) const {
-    const Stencil<K, Dim, Real> stencil(walk_, position(x));
+    std::array<Real, Dim> q;
+    for (int d = 0; d < Dim; ++d) q[static_cast<std::size_t>(d)] = x[d];
+    const std::array<Real, Dim> at = (*this)(q);
     Vec<Dim, Real> v;
-    for (int a = 0; a < Dim; ++a) v[a] = stencil.value(walk_, a, u_[static_cast<std::size_t>(a)]);
+    for (int a = 0; a < Dim; ++a) v[a] = at[static_cast<std::size_t>(a)];
+    return v;
+  }
+  /// The same for the coordinates of a point or of a pack of points.
+  template <class T> [[nodiscard]] std::array<T, Dim> operator()(const std::array<T, Dim>& x) const {
+    const Stencil<K, Dim, T> stencil(walk_, walk_.position([&](std::size_t d) { return x[d]; }));
+    std::array<T, Dim> v;
+    for (int a = 0; a < Dim; ++a)
+      v[static_cast<std::size_t>(a)] = stencil.value(walk_, a, u_[static_cast<std::size_t>(a)]);
     return v;
   }
 

@@ -22,40 +22,43 @@
 namespace flipbook {
 
 /// Remembers nothing.
-template <int Dim, class Real> struct NoneMode {
+template <int Dim, class T> struct NoneMode {
   static constexpr AffineMode mode = AffineMode::none;
   using Second = NoSecond;
-  std::array<Real, 0> state;
+  std::array<T, 0> state;
 
-  [[nodiscard]] Real slope(int, int) const { return 0; }
-  template <class Stencil> void gather(const Stencil&, const std::array<Gathered<Dim, Real>, Dim>&, Real) {}
+  [[nodiscard]] T slope(int, int) const { return T(0); }
+  template <class Stencil> void gather(const Stencil&, const std::array<Gathered<Dim, T>, Dim>&, NumberOf<T>) {}
 };
 
 /// Remembers the spin omega.
-template <int Dim, class Real> struct RigidMode {
+template <int Dim, class T> struct RigidMode {
   static constexpr AffineMode mode = AffineMode::rigid;
   using Second = MomentWeights;
-  std::array<Real, spin<Dim>> state{}; ///< omega
+  std::array<T, spin<Dim>> state; ///< omega
 
   /// d(painted v_a)/dr_d = omega . (e_d x e_a).
-  [[nodiscard]] Real slope(int a, int d) const {
-    return a == d ? Real(0) : static_cast<Real>(cross_sign<Dim>(d, a)) * state[axis(d, a)];
+  [[nodiscard]] T slope(int a, int d) const {
+    if (a == d) return T(0);
+    return cross_sign<Dim>(d, a) > 0 ? state[axis(d, a)] : -state[axis(d, a)];
   }
 
   template <class Stencil>
-  void gather(const Stencil& stencil, const std::array<Gathered<Dim, Real>, Dim>& u, Real inverse_dx) {
-    std::array<Real, spin<Dim>> L{}, K{};
+  void gather(const Stencil& stencil, const std::array<Gathered<Dim, T>, Dim>& u, NumberOf<T> inverse_dx) {
+    std::array<T, spin<Dim>> L, K;
+    L.fill(T(0));
+    K.fill(T(0));
     for (int a = 0; a < Dim; ++a)
       for (int d = 0; d < Dim; ++d) {
         if (a == d) continue;
-        const auto& moments = u[static_cast<std::size_t>(a)].first;
-        L[axis(d, a)] += static_cast<Real>(cross_sign<Dim>(d, a)) * moments[static_cast<std::size_t>(d)];
+        const T moment = u[static_cast<std::size_t>(a)].first[static_cast<std::size_t>(d)];
+        L[axis(d, a)] += cross_sign<Dim>(d, a) > 0 ? moment : -moment;
         K[axis(d, a)] += stencil.second_moment(a, d);
       }
     // K vanishes only where the particle sits on its samples (linear kernel) and omega paints nothing: a
     // pseudo-inverse.
     for (std::size_t c = 0; c < state.size(); ++c)
-      state[c] = K[c] > std::numeric_limits<Real>::min() ? L[c] / K[c] * inverse_dx : Real(0);
+      state[c] = choose(K[c] > T(std::numeric_limits<NumberOf<T>>::min()), L[c] / K[c] * T(inverse_dx), T(0));
   }
 
 private:
@@ -63,25 +66,26 @@ private:
 };
 
 /// Remembers the velocity gradient C, row by row.
-template <int Dim, class Real> struct FullMode {
+template <int Dim, class T> struct FullMode {
   static constexpr AffineMode mode = AffineMode::full;
   using Second = AffineWeights;
-  std::array<Real, Dim * Dim> state{}; ///< C
+  std::array<T, Dim * Dim> state; ///< C
 
   /// d(painted v_a)/dr_d = C_ad.
-  [[nodiscard]] Real slope(int a, int d) const { return state[static_cast<std::size_t>(a * Dim + d)]; }
+  [[nodiscard]] T slope(int a, int d) const { return state[static_cast<std::size_t>(a * Dim + d)]; }
 
-  template <class Stencil> void gather(const Stencil&, const std::array<Gathered<Dim, Real>, Dim>& u, Real inverse_dx) {
+  template <class Stencil>
+  void gather(const Stencil&, const std::array<Gathered<Dim, T>, Dim>& u, NumberOf<T> inverse_dx) {
     for (std::size_t a = 0; a < Dim; ++a)
-      for (std::size_t d = 0; d < Dim; ++d) state[a * Dim + d] = u[a].first[d] * inverse_dx;
+      for (std::size_t d = 0; d < Dim; ++d) state[a * Dim + d] = u[a].first[d] * T(inverse_dx);
   }
 
   /// C <- (C - C^T) / 2.
   void keep_skew() {
     for (std::size_t a = 0; a < Dim; ++a)
       for (std::size_t d = 0; d <= a; ++d) {
-        Real &ad = state[a * Dim + d], &da = state[d * Dim + a];
-        ad = (ad - da) / 2;
+        T &ad = state[a * Dim + d], &da = state[d * Dim + a];
+        ad = T(0.5) * (ad - da);
         da = -ad;
       }
   }
@@ -90,36 +94,36 @@ template <int Dim, class Real> struct FullMode {
 /// Remembers a multilinear velocity: the coefficients of r_x, r_y, r_x r_y, .. for each component. The products are
 /// orthogonal under w, because first moments of the weights vanish on every axis, so each coefficient is gathered
 /// alone.
-template <int Dim, class Real> struct PolynomialMode {
+template <int Dim, class T> struct PolynomialMode {
   static constexpr AffineMode mode = AffineMode::polynomial;
   static constexpr unsigned sets = (1U << Dim) - 1; ///< non-empty sets of axes
   using Second = MultilinearWeights;
-  std::array<Real, Dim * sets> state{};
+  std::array<T, Dim * sets> state;
 
   /// Of the product over the set s of axes, in v_a.
-  [[nodiscard]] Real coefficient(int a, unsigned s) const { return state[static_cast<std::size_t>(a) * sets + s - 1]; }
-  [[nodiscard]] Real slope(int a, int d) const { return coefficient(a, 1U << d); }
+  [[nodiscard]] T coefficient(int a, unsigned s) const { return state[static_cast<std::size_t>(a) * sets + s - 1]; }
+  [[nodiscard]] T slope(int a, int d) const { return coefficient(a, 1U << d); }
 
   template <class Stencil>
-  void gather(const Stencil&, const std::array<GatheredProducts<Dim, Real>, Dim>& u, Real inverse_dx) {
+  void gather(const Stencil&, const std::array<GatheredProducts<Dim, T>, Dim>& u, NumberOf<T> inverse_dx) {
     for (std::size_t a = 0; a < Dim; ++a)
       for (unsigned s = 1; s <= sets; ++s) {
-        Real c = u[a].products[s - 1];
-        for (unsigned rest = s; rest != 0; rest &= rest - 1) c *= inverse_dx;
+        T c = u[a].products[s - 1];
+        for (unsigned rest = s; rest != 0; rest &= rest - 1) c *= T(inverse_dx);
         state[a * sets + s - 1] = c;
       }
   }
 };
 
 /// body(Mode{}) for the mode of that name.
-template <int Dim, class Real, class Body> decltype(auto) with_mode(AffineMode mode, Body&& body) {
+template <int Dim, class T, class Body> decltype(auto) with_mode(AffineMode mode, Body&& body) {
   switch (mode) {
-  case AffineMode::none: return body(NoneMode<Dim, Real>{});
-  case AffineMode::rigid: return body(RigidMode<Dim, Real>{});
-  case AffineMode::full: return body(FullMode<Dim, Real>{});
+  case AffineMode::none: return body(NoneMode<Dim, T>{});
+  case AffineMode::rigid: return body(RigidMode<Dim, T>{});
+  case AffineMode::full: return body(FullMode<Dim, T>{});
   case AffineMode::polynomial: break;
   }
-  return body(PolynomialMode<Dim, Real>{});
+  return body(PolynomialMode<Dim, T>{});
 }
 
 } // namespace flipbook

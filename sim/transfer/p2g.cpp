@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "sim/transfer/transfer.h"
 
+#include "sim/transfer/lanes.h"
+#include "sim/transfer/painted.h"
 #include "sim/transfer/scalar_sweep.h"
 #include "sim/transfer/sweep.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace flipbook {
 namespace {
@@ -15,37 +20,52 @@ template <int Dim, class Real> void clear(Components<Dim, Real>& field, Pool& po
                 [&](std::int64_t begin, std::int64_t end) { std::fill(f.begin() + begin, f.begin() + end, Real(0)); });
 }
 
-/// (m u)_i += w_ip m_p (v_p + A_p r) for the particles [begin, end).
+/// (m u)_i += w_ip m_p (v_p + A_p r) for runs of particles, on the tile of their block.
 template <class Mode, class K, int Dim, class Real> struct Scatter {
+  using T = Pack<Real>;
+  using Paint = Painted<Mode, K, Dim, Real>;
+
   Walk<Dim, Real> walk;
   std::array<const Real*, Dim> x, v;
   std::array<const Real*, std::tuple_size_v<decltype(Mode::state)>> A;
   const Real* mass;
-  std::array<Real*, Dim> m, mu;
   const std::uint8_t* ballistic;
+  std::size_t size; ///< of all particles
 
-  void operator()(std::size_t begin, std::size_t end) const {
-    for (std::size_t p = begin; p < end; ++p) {
-      if (ballistic && ballistic[p]) continue;
-      const Stencil<K, Dim, Real> stencil(walk, walk.position([&](std::size_t d) { return x[d][p]; }));
-      const Mode mode{entries(A, p)};
-      for (int a = 0; a < Dim; ++a) {
-        const auto c = static_cast<std::size_t>(a);
-        if constexpr (Mode::mode == AffineMode::polynomial) {
-          std::array<Real, 1 << Dim> product;
-          product[0] = v[c][p];
-          for (unsigned s = 1; s < product.size(); ++s) {
-            product[s] = mode.coefficient(a, s);
-            for (unsigned rest = s; rest != 0; rest &= rest - 1) product[s] *= walk.dx;
-          }
-          stencil.scatter(walk, a, mass[p], product, m[c], mu[c]);
-        } else {
-          std::array<Real, Dim> slope;
-          for (int d = 0; d < Dim; ++d) slope[static_cast<std::size_t>(d)] = mode.slope(a, d) * walk.dx;
-          stencil.scatter(walk, a, mass[p], v[c][p], slope, m[c], mu[c]);
-        }
-      }
+  /// The particles [begin, end); `next`: where the run begins that comes after it.
+  void operator()(Tile<K, Dim, Real>& tile, std::size_t begin, std::size_t end, std::size_t next) const {
+    std::array<Paint, Dim> painted;
+    for (std::size_t p = begin; p < end; p += Lanes<Real>::count) {
+      fetch(std::min(next + (p - begin), size - 1));
+      const Lanes<Real> lanes(p, end - p, ballistic);
+      if (lanes.all_skipped()) continue;
+      const auto read = [&](const Real* column) {
+        return load<T>(column + p, size - p);
+      }; // others may fill the pack up
+      const auto q = walk.position([&](std::size_t d) { return read(x[d]); });
+      const Stencil<K, Dim, T> stencil(walk, q);
+      Mode mode;
+      for (std::size_t c = 0; c < A.size(); ++c) mode.state[c] = read(A[c]);
+      const T m = read(mass);
+      for (std::size_t a = 0; a < Dim; ++a)
+        painted[a].paint(walk, stencil, static_cast<int>(a), whole(q[0]), m, read(v[a]), mode, tile);
+      // Particle after particle, and of each all components: their sums do not wait for each other.
+      const auto add = [&](std::size_t l) {
+        for (std::size_t a = 0; a < Dim; ++a) painted[a].add(l, tile.data(a));
+      };
+      if (lanes.whole())
+        for (std::size_t l = 0; l < Lanes<Real>::count; ++l) add(l);
+      else
+        lanes.each(add);
     }
+  }
+
+  /// Has the columns brought near: a run is too short for the processor to see where its successor will be.
+  void fetch(std::size_t p) const {
+    for (const Real* c : x) __builtin_prefetch(c + p);
+    for (const Real* c : v) __builtin_prefetch(c + p);
+    for (const Real* c : A) __builtin_prefetch(c + p);
+    __builtin_prefetch(mass + p);
   }
 };
 
@@ -60,15 +80,24 @@ void p2g(const Corner& corner, KernelName kernel, Layout layout, const Grid<Dim>
   if (corner.scalar) return scalar_p2g(corner, kernel, layout, grid, particles, order, m, mu, pool, ballistic);
   with_sweep(corner, kernel, particles, [&](auto mode, auto k) {
     using Mode = decltype(mode);
-    const Scatter<Mode, decltype(k), Dim, Real> scatter{{grid, layout},
-                                                        pointers<Dim>(particles.x),
-                                                        pointers<Dim>(particles.v),
-                                                        pointers<std::tuple_size_v<decltype(Mode::state)>>(particles.A),
-                                                        particles.m.data(),
-                                                        pointers<Dim>(m),
-                                                        pointers<Dim>(mu),
-                                                        ballistic ? ballistic->data() : nullptr};
-    each_block(grid, order, pool, scatter);
+    using K = decltype(k);
+    const Scatter<Mode, K, Dim, Real> scatter{{grid, layout},
+                                              pointers<Dim>(particles.x),
+                                              pointers<Dim>(particles.v),
+                                              pointers<std::tuple_size_v<decltype(Mode::state)>>(particles.A),
+                                              particles.m.data(),
+                                              ballistic ? ballistic->data() : nullptr,
+                                              particles.size()};
+    each_block(grid, pool, [&](const Index<Dim>& first) {
+      std::array<std::pair<std::size_t, std::size_t>, power(block_edge, Dim - 1) + 1> runs;
+      std::size_t count = 0;
+      each_run(grid, order, first, [&](std::size_t begin, std::size_t end) { runs[count++] = {begin, end}; });
+      if (count == 0) return;
+      runs[count] = runs[count - 1]; // there is nothing to look ahead to
+      Tile<K, Dim, Real> tile(first);
+      for (std::size_t r = 0; r < count; ++r) scatter(tile, runs[r].first, runs[r].second, runs[r + 1].first);
+      tile.add_to(grid, m, mu);
+    });
   });
 }
 

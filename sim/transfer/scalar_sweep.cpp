@@ -2,6 +2,7 @@
 #include "sim/transfer/scalar_sweep.h"
 
 #include "sim/transfer/stencil.h"
+#include "sim/transfer/tile.h"
 
 #include <stdexcept>
 
@@ -9,10 +10,6 @@ namespace flipbook {
 namespace {
 
 constexpr std::int64_t particles_per_chunk = 1 << 10;
-
-constexpr std::size_t power(std::size_t base, int exponent) {
-  return exponent == 0 ? 1 : base * power(base, exponent - 1);
-}
 
 /// The samples around one particle as the scheme sees them, with their places in the fields.
 template <class K, int Dim, class Real> class Around {
@@ -107,7 +104,7 @@ void scalar_p2g(const Corner& corner, KernelName kernel, Layout layout, const Gr
   check_memory(corner, particles);
   const Walk<Dim, Real> walk(grid, layout);
   with_kernel(kernel, [&](auto k) {
-    each_block(grid, order, pool, [&](std::size_t begin, std::size_t end) {
+    const auto scatter = [&](std::size_t begin, std::size_t end) {
       Around<decltype(k), Dim, Real> around(walk);
       for (std::size_t p = begin; p < end; ++p) {
         if (ballistic && (*ballistic)[p]) continue;
@@ -122,7 +119,8 @@ void scalar_p2g(const Corner& corner, KernelName kernel, Layout layout, const Gr
             mu[a][around.at(a, n)] += static_cast<Real>(wm * corner.scalar->paint(q, static_cast<int>(a), s.r));
           }
       }
-    });
+    };
+    each_block(grid, pool, [&](const Index<Dim>& first) { each_run(grid, order, first, scatter); });
   });
 }
 

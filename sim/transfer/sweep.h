@@ -13,11 +13,11 @@
 
 namespace flipbook {
 
-/// body(Mode{}, Kernel{}): the loop for what the particles remember and the kernel in use.
+/// body(Mode{}, Kernel{}): the loop for what the particles remember, in packs, and the kernel in use.
 template <int Dim, class Real, class Body>
 void with_sweep(const Corner& corner, KernelName kernel, const Particles<Dim, Real>& particles, Body&& body) {
   if (particles.mode != corner.mode) throw std::logic_error("the particles do not remember what this scheme needs");
-  with_mode<Dim, Real>(corner.mode, [&](auto mode) { with_kernel(kernel, [&](auto k) { body(mode, k); }); });
+  with_mode<Dim, Pack<Real>>(corner.mode, [&](auto mode) { with_kernel(kernel, [&](auto k) { body(mode, k); }); });
 }
 
 /// Pointers to the first entry of each column; const where the particles are.
@@ -25,14 +25,6 @@ template <std::size_t N, class Columns> [[nodiscard]] auto pointers(Columns& col
   std::array<decltype(columns[0].data()), N> p{};
   for (std::size_t i = 0; i < N; ++i) p[i] = columns[i].data();
   return p;
-}
-
-/// Entry p of each column.
-template <std::size_t N, class Pointer>
-[[nodiscard]] auto entries(const std::array<Pointer, N>& columns, std::size_t p) {
-  std::array<std::remove_cvref_t<decltype(*columns[0])>, N> e;
-  for (std::size_t i = 0; i < N; ++i) e[i] = columns[i][p];
-  return e;
 }
 
 } // namespace flipbook

@@ -43,7 +43,7 @@ TYPED_TEST(KernelTest, SlopesAreTheDerivativeOfTheWeights) {
   using K = TypeParam;
   const double h = 1e-4; // of a piecewise cubic: an error of h^2/6 times its third derivative, at most 3
   each_position([&](double q) {
-    const int base = K::base(q);
+    const double base = K::base(q);
     for (std::size_t i = 0; i < K::support; ++i) {
       const double f = q - base;
       const double difference = (K::weights(f + h)[i] - K::weights(f - h)[i]) / (2 * h);
@@ -69,7 +69,7 @@ TYPED_TEST(KernelTest, WeightsAreContinuousFromCellToCell) {
   for (const double q : {5.0, 5.5, 6.0}) { // where one kernel or another changes its first sample
     std::array<double, 12> below{}, above{};
     const auto fill = [](double at, std::array<double, 12>& n) {
-      const int base = K::base(at);
+      const double base = K::base(at);
       for (std::size_t i = 0; i < K::support; ++i) n[static_cast<std::size_t>(base) + i] = K::weights(at - base)[i];
     };
     fill(q - 1e-12, below);
