@@ -4,6 +4,7 @@
 #include "app/commands/complete.h"
 #include "app/encode/provenance.h"
 #include "app/session/failure.h"
+#include "sim/core/instruction_set.h"
 #include "sim/frame/errors.h"
 
 #include <algorithm>
@@ -59,7 +60,7 @@ void print_help(std::ostream& out) {
   for (const CommandEntry& c : table)
     out << "  " << c.name << std::string(width + 2 - c.name.size(), ' ') << c.summary << '\n';
   out << "\nOptions:\n  -h,--help   This text; flipbook COMMAND --help tells more\n"
-         "  --version   Version and build level\n\nStart with: flipbook compare dam_break\n";
+         "  --version   Version and instruction set in use\n\nStart with: flipbook compare dam_break\n";
 }
 
 int run(std::vector<std::string> arguments) {
@@ -72,7 +73,7 @@ int run(std::vector<std::string> arguments) {
     return 0;
   }
   if (std::find(arguments.begin(), arguments.end(), "--version") != arguments.end()) {
-    std::cout << "flipbook " << version() << " (" << build_level() << ")\n";
+    std::cout << "flipbook " << version() << " (" << instruction_set() << ")\n";
     return 0;
   }
   const std::string name = arguments[0];

@@ -188,7 +188,7 @@ Offer complete(const std::vector<std::string>& words) {
     for (const CommandEntry& c : commands()) all.add(c.name, c.summary);
     if (all.word().starts_with("-")) {
       all.add("--help", "Print the commands and end");
-      all.add("--version", "Print version and build level and end");
+      all.add("--version", "Print version and instruction set in use and end");
     }
     return all.offer;
   }

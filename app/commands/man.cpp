@@ -166,7 +166,7 @@ void page_of_program() {
             "each carries the study that it was made from.");
   section("OPTIONS");
   item(bold("-h") + ", " + bold("--help"), "The commands in short; behind a command: its options.");
-  item(bold("--version"), "Version and build level.");
+  item(bold("--version"), "Version and instruction set in use.");
   section("COMMANDS");
   std::vector<std::string> lines;
   for (const CommandEntry& c : commands()) {

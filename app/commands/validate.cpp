@@ -138,7 +138,6 @@ private:
     render::Chart chart = report.chart;
     chart.caption = report.ran;
     const TextEntries provenance{{"flipbook:version", version()},
-                                 {"flipbook:build", build_level()},
                                  {"flipbook:validate", c.name()},
                                  {"flipbook:seeds", std::to_string(wanted.seeds)},
                                  {"flipbook:ran", report.ran}};

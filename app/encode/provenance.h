@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a picture says about itself: enough to make the same picture again, and nothing else (no path, no clock, no
-// number of threads, no GL context), so that equal runs give equal bytes.
+// number of threads, no GL context, no instruction set), so that equal runs give equal bytes.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,6 @@ using TextEntries = std::vector<std::pair<std::string, std::string>>;
 /// Keyword and text, in a fixed order: flipbook:version, flipbook:frame, flipbook:time, ...
 [[nodiscard]] TextEntries text_entries(const Provenance& p);
 
-[[nodiscard]] std::string version();     ///< "0.1.0"
-[[nodiscard]] std::string build_level(); ///< instruction set that the compiler was allowed to use: "x86-64-v2"
+[[nodiscard]] std::string version(); ///< "0.1.0"
 
 } // namespace flipbook::app

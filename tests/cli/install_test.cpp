@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 /// Installed once for all tests of this file.
 class Installed : public ::testing::Test {
@@ -90,6 +91,21 @@ TEST_F(Installed, PrefersItsOwnScenesToThoseOfTheSourceTree) {
   std::filesystem::remove(scene);
   std::filesystem::copy_file(f.path() / "kept", scene);
   EXPECT_THAT(o.out, Not(HasSubstr("A drop falls into a pool")));
+}
+
+TEST_F(Installed, IsAPackageThatAnotherProgramBuildsOn) {
+  if (std::string(FLIPBOOK_SANITIZER) != "") GTEST_SKIP() << "libraries are not installed from a build with sanitizers";
+  const Folder f;
+  const std::string source = FLIPBOOK_SOURCE_DIR "/tests/consumer";
+  const Outcome configured =
+      run_other({FLIPBOOK_CMAKE, "-S", source, "-B", "build", "-DCMAKE_PREFIX_PATH=" + place().string(),
+                 "-DCMAKE_CXX_COMPILER=" FLIPBOOK_COMPILER},
+                f.path());
+  ASSERT_EQ(configured.code, 0) << configured.err;
+  const Outcome built = run_other({FLIPBOOK_CMAKE, "--build", "build"}, f.path());
+  ASSERT_EQ(built.code, 0) << built.out << built.err;
+  // Masses 0.5 and 1.5 with velocities (1, 2, -4) and (3, 0, 0).
+  EXPECT_THAT(run_other({f.path() / "build/consumer"}, f.path()).out, StartsWith("2 5 1 -2 caught\n"));
 }
 
 } // namespace
