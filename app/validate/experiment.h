@@ -5,7 +5,7 @@
 #include "app/validate/case.h"
 #include "sim/scene/toml_reader.h"
 #include "sim/simulation.h"
-#include "sim/transfer/schemes.h"
+#include "sim/transfer/settings.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,47 +1,29 @@
 // SPDX-License-Identifier: MIT
-// The value type of a formula: one number, or a pack of numbers, one for each of as many particles as a register holds.
-// A formula written once over `T` serves both, so that the hot sweeps read like the papers and run on packs.
+// Packs of numbers, one for each of as many particles as a register holds, to load, to store and to find samples by.
 //
-// Packs are xsimd's: packaged by Debian 12 and 13, headers only, operators like those of numbers, every instruction set
+// They are xsimd's: packaged by Debian 12 and 13, headers only, operators like those of numbers, every instruction set
 // that we build for. What moves numbers between lanes is the compiler's (shuffles.h): xsimd's zip_lo and zip_hi mean
 // something else in each of its versions, and its gathers are slow ones.
 #pragma once
 
+#include "sim/core/value.h"
+
 #include <xsimd/xsimd.hpp>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
 namespace flipbook {
 
 template <class Real> using Pack = xsimd::batch<Real>;
 
-template <class T> struct ValueTraits {
-  using Number = T;
-  using Place = std::ptrdiff_t;
-  static constexpr std::size_t lanes = 1;
-};
-template <class Real> struct ValueTraits<xsimd::batch<Real>> {
-  using Number = Real;
-  using Place = std::array<std::int32_t, xsimd::batch<Real>::size>;
-  static constexpr std::size_t lanes = xsimd::batch<Real>::size;
-};
+template <class T> inline constexpr std::size_t lanes_of = 1;
+template <class Real> inline constexpr std::size_t lanes_of<xsimd::batch<Real>> = xsimd::batch<Real>::size;
 
-template <class T> using NumberOf = typename ValueTraits<T>::Number; ///< float or double
-template <class T> using PlaceOf = typename ValueTraits<T>::Place;   ///< positions in an array, one for each lane
-template <class T> inline constexpr std::size_t lanes_of = ValueTraits<T>::lanes;
-template <class T> inline constexpr bool is_pack = !std::is_floating_point_v<T>;
-
-/// The whole number at or below q; 0 <= q < 2^31.
-template <class T> [[nodiscard]] inline T whole(T q) {
-  if constexpr (is_pack<T>)
-    return xsimd::trunc(q);
-  else
-    return static_cast<T>(static_cast<int>(q));
-}
+/// Positions in an array, one for each lane.
+template <class T>
+using PlaceOf = std::conditional_t<is_pack<T>, std::array<std::int32_t, lanes_of<T>>, std::ptrdiff_t>;
 
 /// base . stride for whole numbers `base`: where a sample lies in its field, which has less than 2^31 of them.
 template <class T, std::size_t Dim>
@@ -79,38 +61,6 @@ template <class T> [[nodiscard]] inline T load(const NumberOf<T>* p, std::size_t
     return *p;
   else
     return many >= lanes_of<T> ? T::load_unaligned(p) : detail::load_some<T>(p, many);
-}
-
-/// Where the condition holds a, else b.
-template <class Condition, class T> [[nodiscard]] inline T choose(const Condition& condition, const T& a, const T& b) {
-  if constexpr (is_pack<T>)
-    return xsimd::select(condition, a, b);
-  else
-    return condition ? a : b;
-}
-
-/// Does the condition hold in any lane?
-template <class Condition> [[nodiscard]] inline bool any_of(const Condition& condition) {
-  if constexpr (std::is_same_v<Condition, bool>)
-    return condition;
-  else
-    return xsimd::any(condition);
-}
-
-/// a b + c; of packs rounded once where the processor can.
-template <class T> [[nodiscard]] inline T multiply_add(const T& a, const T& b, const T& c) {
-  if constexpr (is_pack<T>)
-    return xsimd::fma(a, b, c);
-  else
-    return a * b + c;
-}
-
-/// The largest whole number not above x.
-template <class T> [[nodiscard]] inline T round_down(const T& x) {
-  if constexpr (is_pack<T>)
-    return xsimd::floor(x);
-  else
-    return std::floor(x);
 }
 
 } // namespace flipbook

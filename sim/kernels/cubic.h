@@ -6,7 +6,7 @@
 //   D = sum N t^2 = 1/3              with t = i - f
 #pragma once
 
-#include "sim/core/pack.h"
+#include "sim/core/value.h"
 
 #include <array>
 #include <string_view>

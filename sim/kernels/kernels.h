@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The list of interpolation kernels, and what a kernel is: one axis of a tensor product, in grid units. A new kernel is
 // one header and one name in each of the two lists below. Its functions are templates over the value type T: the sweeps
-// call them with packs of particles (core/pack.h), so that constants are written T(0.5).
+// call them with packs of particles (core/value.h), so that constants are written T(0.5).
 #pragma once
 
 #include "sim/frame/parameters.h"

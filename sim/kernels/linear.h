@@ -5,7 +5,7 @@
 // D vanishes on a sample, but D^-1 N t is the slope dN/df everywhere, so the affine weights need no division.
 #pragma once
 
-#include "sim/core/pack.h"
+#include "sim/core/value.h"
 
 #include <array>
 #include <string_view>

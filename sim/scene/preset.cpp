@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/scene/preset.h"
 
+#include "sim/transfer/schemes.h"
+
 #include <algorithm>
 #include <cmath>
 

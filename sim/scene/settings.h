@@ -4,7 +4,7 @@
 
 #include "sim/core/lattice.h"
 #include "sim/frame/parameters.h"
-#include "sim/transfer/schemes.h"
+#include "sim/transfer/settings.h"
 
 #include <array>
 #include <string>

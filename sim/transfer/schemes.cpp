@@ -72,42 +72,54 @@ private:
 
 } // namespace
 
+SchemeParameters::SchemeParameters() : set_(std::make_unique<SchemeSet>()) {}
+SchemeParameters::~SchemeParameters() = default;
+SchemeParameters::SchemeParameters(const SchemeParameters& other) : set_(std::make_unique<SchemeSet>(*other.set_)) {}
+SchemeParameters& SchemeParameters::operator=(const SchemeParameters& other) {
+  *set_ = *other.set_;
+  return *this;
+}
+
+int usual_scheme() {
+  return scheme_index<Apic>;
+}
+
 void TransferSettings::describe(ParameterVisitor& v) {
   v.choice({.name = "scheme", .help = "How velocity goes between particles and grid", .level = Level::teach}, scheme,
            scheme_options());
   v.choice({.name = "kernel", .help = "The interpolation kernel of every transfer", .level = Level::teach}, kernel,
            kernel_options());
   const auto has = [&](int index, const std::string& path) {
-    const auto all = parameters_of_scheme(schemes, index);
+    const auto all = parameters_of_scheme(schemes->list, index);
     return std::any_of(all.begin(), all.end(), [&](const Parameter& p) { return p.path == path; });
   };
   const int in_use = scheme;
   std::vector<std::string> described;
   for (int i = 0; i < scheme_count; ++i)
-    for (const Parameter& p : parameters_of_scheme(schemes, i)) {
+    for (const Parameter& p : parameters_of_scheme(schemes->list, i)) {
       if (std::find(described.begin(), described.end(), p.path) != described.end()) continue;
       described.push_back(p.path);
       const bool applies = has(in_use, p.path);
       One one(v, p.path, applies);
-      with_scheme(schemes, applies ? in_use : i, [&](auto& s) { s.describe(one); });
+      with_scheme(schemes->list, applies ? in_use : i, [&](auto& s) { s.describe(one); });
     }
 }
 
 Corner TransferSettings::corner() const {
   Corner c;
-  with_scheme(schemes, scheme, [&](const auto& s) { c = corner_of(s); });
+  with_scheme(schemes->list, scheme, [&](const auto& s) { c = corner_of(s); });
   return c;
 }
 
 std::string TransferSettings::name() const {
   std::string n;
-  with_scheme(schemes, scheme, [&](const auto& s) { n = s.name; });
+  with_scheme(schemes->list, scheme, [&](const auto& s) { n = s.name; });
   return n;
 }
 
 std::string TransferSettings::title() const {
   std::string text;
-  with_scheme(schemes, scheme, [&]<class S>(const S& in_use) {
+  with_scheme(schemes->list, scheme, [&]<class S>(const S& in_use) {
     text = S::label;
     S now = in_use, fresh;
     const auto set = parameters_of(now), usual = parameters_of(fresh);

@@ -3,7 +3,7 @@
 // weight is a product over the axes,
 //   w_ip = N(i_0 - f_0) N(i_1 - f_1) ...
 // so the walk is a recursion over the axes: what belongs to one axis is computed once for a whole row, and nothing else
-// knows the dimension. `T` is a number or a pack (core/pack.h), `Real` the numbers of the grid.
+// knows the dimension. `T` is a number or a pack (core/value.h), `Real` the numbers of the grid.
 #pragma once
 
 #include "sim/core/order.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Taylor-Green vortices show what each scheme costs: the exact flow is steady and keeps its energy.
+#include "sim/transfer/schemes.h"
 #include "tests/physics/flow.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ double energy_left(int cells, double cfl, double time, int scheme, double flip_r
   s.seeding.pattern = Pattern::jittered;
   s.transfer.scheme = scheme;
   s.transfer.kernel = kernel;
-  std::get<Flip>(s.transfer.schemes).flip_ratio = flip_ratio;
+  scheme_of<Flip>(s.transfer).flip_ratio = flip_ratio;
   s.time.splitting = splitting;
   s.pressure.tolerance = 1e-8;
   Flow<2> flow(s, seed<2>(s, everywhere<2>, taylor_green));

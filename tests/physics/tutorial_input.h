@@ -7,6 +7,7 @@
 #include "sim/scene/preset.h"
 #include "sim/scene/scene.h"
 #include "sim/simulation.h"
+#include "sim/transfer/schemes.h"
 #include "tests/physics/tutorial_oracle.h"
 
 #include <array>
@@ -58,7 +59,7 @@ inline Scene notes_scene(ParticleRows rows, double flip_ratio) {
   s.time.dt = notes_dt;
   s.fluid.gravity = notes_gravity;
   s.transfer.scheme = scheme_index<Flip>;
-  std::get<Flip>(s.transfer.schemes).flip_ratio = flip_ratio;
+  scheme_of<Flip>(s.transfer).flip_ratio = flip_ratio;
   ParticleSource source;
   source.file = "block.in";
   source.rows = std::make_shared<const ParticleRows>(std::move(rows));

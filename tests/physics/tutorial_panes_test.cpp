@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What panes with preset = "tutorial" say about themselves, refuse and publish.
+#include "sim/transfer/schemes.h"
 #include "tests/physics/tutorial_input.h"
 #include "tests/unit/message.h"
 

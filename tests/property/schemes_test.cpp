@@ -66,8 +66,8 @@ TEST(Schemes, EachIsItsCornerOfTheFamily) {
 
 TEST(Schemes, ASharedPathBelongsToTheSchemeInUse) {
   auto t = with("flip:0.9");
-  EXPECT_EQ(std::get<Flip>(t.schemes).flip_ratio, 0.9);
-  EXPECT_EQ(std::get<Aflip>(t.schemes).flip_ratio, 1);
+  EXPECT_EQ(scheme_of<Flip>(t).flip_ratio, 0.9);
+  EXPECT_EQ(scheme_of<Aflip>(t).flip_ratio, 1);
   EXPECT_TRUE(parameter(t, "flip_ratio").applies);
   EXPECT_FALSE(parameter(t, "affine").applies);
 
@@ -76,8 +76,8 @@ TEST(Schemes, ASharedPathBelongsToTheSchemeInUse) {
   EXPECT_TRUE(parameter(t, "affine").applies);
   EXPECT_FALSE(parameter(t, "form").applies);
   EXPECT_EQ(set_parameter(t, "flip_ratio", 0.5).message, "");
-  EXPECT_EQ(std::get<Flip>(t.schemes).flip_ratio, 0.9);
-  EXPECT_EQ(std::get<Aflip>(t.schemes).flip_ratio, 0.5);
+  EXPECT_EQ(scheme_of<Flip>(t).flip_ratio, 0.9);
+  EXPECT_EQ(scheme_of<Aflip>(t).flip_ratio, 0.5);
 
   t.scheme = scheme_index<Pic>; // has neither: shown is the first scheme's
   EXPECT_FALSE(parameter(t, "flip_ratio").applies);

@@ -2,6 +2,7 @@
 // Studies with preset = "tutorial": when their frames are, what their keys may do, what stands above their panes.
 #include "app/study/resolve.h"
 #include "sim/scene/preset.h"
+#include "sim/transfer/schemes.h"
 #include "tests/unit/message.h"
 #include "tests/unit/temporary_file.h"
 
