@@ -1,77 +1,110 @@
 // SPDX-License-Identifier: MIT
 #include "sim/fluid/extrapolate.h"
 
+#include <algorithm>
+#include <cstring>
+
 namespace flipbook {
 namespace {
 
-/// body(position) for each neighbour of face i inside the domain, in a fixed order.
-template <int Dim, class Real, class Body>
-void each_neighbour(const Grid<Dim>& grid, const Walls<Dim, Real>& walls, const Box<Dim>& box, const Index<Dim>& i,
-                    Body&& body) {
-  for (int b = 0; b < Dim; ++b)
-    for (const int step : {-1, 1}) {
-      Index<Dim> j = i;
-      j[b] += step;
-      j = walls.image(j);
-      if (box.contains(j)) body(j, static_cast<std::size_t>(grid.at(j)));
+constexpr std::int64_t faces_per_chunk = 1 << 14;
+
+/// Grows one component by a layer. `known` is only read, `next` and the faces of the layer only written: rows may be
+/// taken in any order.
+template <int Dim, class Real> struct Layer {
+  const Grid<Dim>& grid;
+  const Walls<Dim, Real>& walls;
+  const Box<Dim>& box;
+  const std::uint8_t* known;
+  std::uint8_t* next;
+  Field<Real>& u;
+  std::array<std::ptrdiff_t, Dim> stride{};
+
+  /// The row of faces that begins at i.
+  void grow(const Index<Dim>& i, std::size_t at) const {
+    const auto length = static_cast<std::size_t>(box.hi[0] - box.lo[0]);
+    spread(known + at, next + at, length);
+    Index<Dim> face = i;
+    for (std::size_t k = at; k < at + length; k += word) {
+      if (k + word <= at + length && bytes(known + k) == bytes(next + k)) continue;
+      for (std::size_t f = k; f < std::min(k + word, at + length); ++f) {
+        if (known[f] == next[f]) continue;
+        face[0] = i[0] + static_cast<int>(f - at);
+        u[f] = mean(face, f);
+      }
     }
-}
+  }
+
+private:
+  void spread(const std::uint8_t* from, std::uint8_t* to, std::size_t length) const {
+    const std::array<std::ptrdiff_t, Dim> s = stride; // bytes may alias it, but not a copy
+    for (std::size_t k = 0; k < length; ++k) {
+      const std::uint8_t* f = from + k;
+      auto any = static_cast<std::uint8_t>(f[0] | f[-1] | f[1] | f[s[1]] | f[-s[1]]);
+      if constexpr (Dim == 3) any = static_cast<std::uint8_t>(any | f[s[2]] | f[-s[2]]);
+      to[k] = any;
+    }
+  }
+
+  static constexpr std::size_t word = sizeof(std::uint64_t);
+  static std::uint64_t bytes(const std::uint8_t* from) {
+    std::uint64_t w;
+    std::memcpy(&w, from, word);
+    return w;
+  }
+
+  /// Of the known neighbours, in a fixed order.
+  [[nodiscard]] Real mean(const Index<Dim>& i, std::size_t at) const {
+    Real sum = 0;
+    int count = 0;
+    for (int b = 0; b < Dim; ++b)
+      for (const int step : {-1, 1}) {
+        std::size_t j = at + static_cast<std::size_t>(step * stride[static_cast<std::size_t>(b)]);
+        if (known[j] == 0) continue;
+        if (walls.periodic(b) && (i[b] + step < box.lo[b] || i[b] + step >= box.hi[b])) {
+          Index<Dim> beyond = i;
+          beyond[b] += step;
+          j = static_cast<std::size_t>(grid.at(walls.image(beyond)));
+        }
+        sum += u[j], ++count;
+      }
+    return sum / static_cast<Real>(count);
+  }
+};
 
 template <int Dim, class Real>
-void extrapolate(const Grid<Dim>& grid, const Walls<Dim, Real>& walls, const Box<Dim>& box,
-                 std::vector<std::uint8_t>& known, int layers, Field<Real>& u) {
-  // `known` goes from 0 to 2 for a face that is in a list, and to 1 when its layer is done.
-  std::vector<Index<Dim>> layer, next;
-  const auto ask = [&](const Index<Dim>& i, std::size_t at) {
-    if (known[at]) return;
-    known[at] = 2;
-    next.push_back(i);
-  };
-  walls.wrap_cells(known);
-  each_in(grid, box, [&](const Index<Dim>& i, std::size_t at) {
-    bool beside = false;
-    for (int b = 0; b < Dim; ++b) {
-      const auto stride = static_cast<std::size_t>(grid.stride(b));
-      beside = beside || known[at - stride] == 1 || known[at + stride] == 1;
-    }
-    if (beside) ask(i, at);
-  });
-  std::vector<Real> mean;
-  for (int l = 0; l < layers && !next.empty(); ++l) {
-    layer.swap(next);
-    next.clear();
-    mean.clear();
-    for (const Index<Dim>& i : layer) {
-      Real sum = 0;
-      int count = 0;
-      each_neighbour(grid, walls, box, i, [&](const Index<Dim>&, std::size_t j) {
-        if (known[j] == 1) sum += u[j], ++count;
-      });
-      mean.push_back(sum / static_cast<Real>(count));
-    }
-    for (std::size_t k = 0; k < layer.size(); ++k) {
-      const auto at = static_cast<std::size_t>(grid.at(layer[k]));
-      u[at] = mean[k];
-      known[at] = 1;
-    }
-    for (const Index<Dim>& i : layer) each_neighbour(grid, walls, box, i, ask);
+void extrapolate(const Grid<Dim>& grid, const Walls<Dim, Real>& walls, int a, std::vector<std::uint8_t>& known,
+                 std::vector<std::uint8_t>& next, int layers, Field<Real>& u, Pool& pool) {
+  Box<Dim> box = faces_of(grid, a), rows;
+  if (walls.periodic(a)) --box.hi[a]; // the upper side is the lower one
+  rows = box;
+  rows.hi[0] = rows.lo[0] + 1;
+  next.resize(known.size()); // its pads are 0, as those of `known`, or filled below
+  const std::int64_t grain = std::max<std::int64_t>(1, faces_per_chunk / (box.hi[0] - box.lo[0]));
+  for (int l = 0; l < layers; ++l) {
+    walls.wrap_cells(known);
+    Layer<Dim, Real> layer{grid, walls, box, known.data(), next.data(), u};
+    for (int d = 0; d < Dim; ++d) layer.stride[static_cast<std::size_t>(d)] = grid.stride(d);
+    pool.ranges(detail::rows_of(rows), grain, [&](std::int64_t begin, std::int64_t end) {
+      detail::each_in_rows(grid, rows, begin, end, [&](const Index<Dim>& i, std::size_t at) { layer.grow(i, at); });
+    });
+    known.swap(next);
   }
 }
 
 } // namespace
 
 template <int Dim, class Real>
-void extrapolate(const Grid<Dim>& grid, const Walls<Dim, Real>& walls, Known<Dim> known, int layers,
+void extrapolate(const Grid<Dim>& grid, const Walls<Dim, Real>& walls, Known<Dim>& known, int layers,
                  Components<Dim, Real>& u, Pool& pool) {
-  pool.each(Dim, [&](int a) {
-    Box<Dim> box = faces_of(grid, a);
-    if (walls.periodic(a)) --box.hi[a]; // the upper side is the lower one
-    extrapolate(grid, walls, box, known[static_cast<std::size_t>(a)], layers, u[static_cast<std::size_t>(a)]);
+  pool.each(Dim, [&](int axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    extrapolate(grid, walls, axis, known[a], known.next[a], layers, u[a], pool);
   });
 }
 
 #define FLIPBOOK_EXTRAPOLATE(Dim, Real)                                                                                \
-  template void extrapolate(const Grid<Dim>&, const Walls<Dim, Real>&, Known<Dim>, int, Components<Dim, Real>&, Pool&);
+  template void extrapolate(const Grid<Dim>&, const Walls<Dim, Real>&, Known<Dim>&, int, Components<Dim, Real>&, Pool&);
 FLIPBOOK_EXTRAPOLATE(2, float)
 FLIPBOOK_EXTRAPOLATE(2, double)
 FLIPBOOK_EXTRAPOLATE(3, float)

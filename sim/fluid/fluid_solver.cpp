@@ -10,6 +10,11 @@
 #include <utility>
 
 namespace flipbook {
+namespace {
+
+constexpr std::int64_t samples_per_chunk = 1 << 14;
+
+} // namespace
 
 // === Setting up
 
@@ -165,7 +170,15 @@ template <int Dim, class Real> void FluidSolver<Dim, Real>::particles_to_grid() 
     extrapolate_over_air(true, s.u);
     s.walls.pad_slip(s.u);
   });
-  s.u_old = s.u;
+  keep_u();
+}
+
+/// u_old = u.
+template <int Dim, class Real> void FluidSolver<Dim, Real>::keep_u() {
+  pool_.each(Dim, [&](int axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    state_.u_old[a] = state_.u[a];
+  });
 }
 
 template <int Dim, class Real> void FluidSolver<Dim, Real>::add_gravity(double dt) {
@@ -173,8 +186,11 @@ template <int Dim, class Real> void FluidSolver<Dim, Real>::add_gravity(double d
   during(Stage::forces, [&] {
     for (std::size_t a = 0; a < Dim; ++a) {
       const Real du = static_cast<Real>(dt * s.settings.fluid.gravity[a]);
-      if (du != 0)
-        for (Real& u : s.u[a]) u += du;
+      if (du == 0) continue;
+      pool_.ranges(s.grid.size(), samples_per_chunk, [&](std::int64_t begin, std::int64_t end) {
+        Real* u = s.u[a].data();
+        for (std::int64_t i = begin; i < end; ++i) u[i] += du;
+      });
     }
     accelerate_ballistic(s.settings.fluid.gravity, dt, s.ballistic, s.particles, pool_);
   });
@@ -237,12 +253,14 @@ template <int Dim, class Real> void FluidSolver<Dim, Real>::remove_divergence(do
 
 template <int Dim, class Real>
 void FluidSolver<Dim, Real>::combine(Real a, Real b, const Components<Dim, Real>& other) {
-  blend_.resize(state_.grid);
-  for (std::size_t d = 0; d < Dim; ++d)
-    pool_.ranges(state_.grid.size(), 1 << 15, [&](std::int64_t begin, std::int64_t end) {
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-        blend_[d][i] = a * state_.u[d][i] + b * other[d][i];
+  for (std::size_t d = 0; d < Dim; ++d) {
+    blend_[d].resize(state_.u[d].size());
+    pool_.ranges(state_.grid.size(), samples_per_chunk, [&](std::int64_t begin, std::int64_t end) {
+      const Real *u = state_.u[d].data(), *v = other[d].data();
+      Real* out = blend_[d].data();
+      for (std::int64_t i = begin; i < end; ++i) out[i] = a * u[i] + b * v[i];
     });
+  }
 }
 
 /// From time t on; the obstacles follow.
@@ -280,19 +298,21 @@ template <int Dim, class Real> void FluidSolver<Dim, Real>::place_solids(double 
 template <int Dim, class Real>
 void FluidSolver<Dim, Real>::extrapolate_over_air(bool massless_too, Components<Dim, Real>& u) {
   const auto& s = state_;
-  Known<Dim> known;
-  for (std::size_t a = 0; a < Dim; ++a) {
-    known[a].resize(u[a].size());
-    const auto& buried = s.walls.buried[a];
-    pool_.ranges(s.grid.size(), 1 << 15, [&](std::int64_t begin, std::int64_t end) {
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-        known[a][i] =
-            s.cells.inverse_theta[a][i] > 0 && ((!massless_too && (buried.empty() || !buried[i])) || s.m[a][i] > 0);
+  known_.resize(s.grid);
+  for (std::size_t a = 0; a < Dim; ++a)
+    pool_.ranges(s.grid.size(), samples_per_chunk, [&](std::int64_t begin, std::int64_t end) {
+      const Real *inverse_theta = s.cells.inverse_theta[a].data(), *m = s.m[a].data();
+      const std::uint8_t* buried = s.walls.buried[a].empty() ? nullptr : s.walls.buried[a].data();
+      std::uint8_t* known = known_[a].data();
+      if (!massless_too && !buried)
+        for (std::int64_t i = begin; i < end; ++i) known[i] = inverse_theta[i] > 0;
+      else
+        for (std::int64_t i = begin; i < end; ++i)
+          known[i] = inverse_theta[i] > 0 && ((!massless_too && !buried[i]) || m[i] > 0);
     });
-  }
   // A particle may cross cfl cells within a step, and a cubic stencil reaches two cells beyond its own.
   const int layers = 2 + std::max(1, static_cast<int>(std::ceil(s.settings.time.cfl)));
-  extrapolate(s.grid, s.walls, std::move(known), layers, u, pool_);
+  extrapolate(s.grid, s.walls, known_, layers, u, pool_);
 }
 
 template class FluidSolver<2, float>;

@@ -51,6 +51,7 @@ private:
   // === Their parts
   void find_liquid();
   void particles_to_grid();
+  void keep_u();
   void add_gravity(double dt);
   void project(double dt, Field<double>& p);
   void reflect(double dt);
@@ -74,6 +75,7 @@ private:
   FluidState<Dim, Real> state_;
   Projection<Dim, Real> projection_;
   Components<Dim, Real> blend_;     ///< see combine
+  Known<Dim> known_;                ///< room of extrapolate_over_air
   Components<Dim, Real> u_opening_; ///< velocity at the start of a midpoint step
   XpicTerms<Dim, Real> xpic_;
   Field<double> correction_pressure_; ///< of remove_divergence

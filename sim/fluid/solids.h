@@ -14,6 +14,7 @@
 #include "sim/boundary/images.h"
 #include "sim/boundary/obstacle.h"
 #include "sim/fluid/cells.h"
+#include "sim/fluid/extrapolate.h"
 
 #include <cstdint>
 #include <vector>
@@ -110,6 +111,7 @@ private:
   std::vector<std::uint8_t> near_;                ///< of each cell
   std::vector<std::uint8_t> inside_;              ///< of each cell: its centre lies in a solid
   std::vector<std::size_t> cut_;                  ///< cells whose centre does, but that are open in part
+  Known<Dim> known_;                              ///< room of carry_change
   Components<Dim, Real> change_;                  ///< of velocity by the projection; room of constrain
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How obstacles move, and the velocity of the fluid in them.
 #include "sim/fluid/cut_face.h"
-#include "sim/fluid/extrapolate.h"
 #include "sim/fluid/solids.h"
 
 #include <cmath>
@@ -149,19 +148,18 @@ template <int Dim, class Real>
 void Solids<Dim, Real>::carry_change(const Walls<Dim, Real>& walls, const Cells<Dim, Real>& cells,
                                      const Components<Dim, Real>& m, Components<Dim, Real>& u, Pool& pool) {
   if (none()) return;
-  Known<Dim> known;
   const auto each_face = [&](auto&& body) {
     for (std::size_t a = 0; a < Dim; ++a)
       pool.ranges(grid_.size(), 1 << 15, [&](std::int64_t begin, std::int64_t end) {
         for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) body(a, i);
       });
   };
-  for (auto& bytes : known) bytes.resize(static_cast<std::size_t>(grid_.size()));
+  known_.resize(grid_);
   each_face([&](std::size_t a, std::size_t i) {
-    known[a][i] = cells.inverse_theta[a][i] > 0 && walls.open[a][i] > 0;
-    change_[a][i] = known[a][i] ? u[a][i] - change_[a][i] : Real(0);
+    known_[a][i] = cells.inverse_theta[a][i] > 0 && walls.open[a][i] > 0;
+    change_[a][i] = known_[a][i] ? u[a][i] - change_[a][i] : Real(0);
   });
-  extrapolate(grid_, walls, std::move(known), layers, change_, pool);
+  extrapolate(grid_, walls, known_, layers, change_, pool);
   each_face([&](std::size_t a, std::size_t i) {
     if (walls.buried[a][i] && cells.inverse_theta[a][i] > 0 && m[a][i] > 0) u[a][i] += change_[a][i];
   });
