@@ -2,30 +2,68 @@
 // How long a step may be, and whether it went well.
 #include "sim/fluid/fluid_solver.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace flipbook {
+namespace {
+
+/// A maximum for Pool::sum.
+template <class Real> struct Largest {
+  Real value = 0;
+  void operator+=(const Largest& other) { value = std::max(value, other.value); }
+};
+
+/// The largest value(i) of [begin, end), or 0: maxima side by side, which a processor takes at once.
+template <class Real, class Value> Largest<Real> largest(std::int64_t begin, std::int64_t end, Value&& value) {
+  constexpr std::int64_t count = 8;
+  std::array<Real, count> most{};
+  std::int64_t i = begin;
+  for (; i + count <= end; i += count)
+    for (std::int64_t l = 0; l < count; ++l) {
+      const Real x = value(static_cast<std::size_t>(i + l));
+      Real& m = most[static_cast<std::size_t>(l)];
+      m = m < x ? x : m;
+    }
+  for (; i < end; ++i) most[0] = std::max(most[0], value(static_cast<std::size_t>(i)));
+  return {*std::max_element(most.begin(), most.end())};
+}
+
+template <class Real> bool all_finite(const Real* begin, const Real* end) {
+  constexpr std::ptrdiff_t count = 8;
+  std::array<Real, count> zero{}; // stay zero unless something is not finite
+  for (; end - begin >= count; begin += count)
+    for (std::ptrdiff_t l = 0; l < count; ++l) zero[static_cast<std::size_t>(l)] += 0 * begin[l];
+  for (; begin < end; ++begin) zero[0] += 0 * *begin;
+  return std::all_of(zero.begin(), zero.end(), [](Real z) { return z == 0; });
+}
+
+} // namespace
 
 template <int Dim, class Real> double FluidSolver<Dim, Real>::max_dt() const {
   const auto& s = state_;
   const auto count = static_cast<std::int64_t>(s.particles.size());
-  constexpr std::int64_t grain = 8192;
-  std::vector<double> fastest(static_cast<std::size_t>((count + grain - 1) / grain), 0.0);
-  pool_.ranges(count, grain, [&](std::int64_t begin, std::int64_t end) {
-    Real square = 0;
-    for (auto p = static_cast<std::size_t>(begin); p < static_cast<std::size_t>(end); ++p)
-      square = std::max(square, s.particles.velocity(p).squaredNorm());
-    fastest[static_cast<std::size_t>(begin / grain)] = std::sqrt(static_cast<double>(square));
+  const Largest<Real> square = pool_.sum(count, 8192, Largest<Real>{}, [&](std::int64_t begin, std::int64_t end) {
+    return largest<Real>(begin, end, [&](std::size_t p) {
+      Real sum = 0;
+      for (std::size_t d = Dim; d-- > 0;) sum += s.particles.v[d][p] * s.particles.v[d][p];
+      return sum;
+    });
   });
-  double speed = 0, gravity = 0;
-  for (const double v : fastest) speed = std::max(speed, v);
-  for (int a = 0; a < Dim; ++a) {
-    gravity = std::hypot(gravity, s.settings.fluid.gravity[static_cast<std::size_t>(a)]);
+  double speed = std::sqrt(static_cast<double>(square.value)), gravity = 0;
+  for (std::size_t a = 0; a < Dim; ++a) {
+    gravity = std::hypot(gravity, s.settings.fluid.gravity[a]);
     if (s.steps == 0) continue;
-    const auto& u = s.u[static_cast<std::size_t>(a)];
-    for (std::size_t i = 0; i < u.size(); ++i)
-      if (s.cells.inverse_theta[static_cast<std::size_t>(a)][i] > 0 && s.walls.open[static_cast<std::size_t>(a)][i] > 0)
-        speed = std::max(speed, std::abs(static_cast<double>(u[i])));
+    const Real *u = s.u[a].data(), *inverse_theta = s.cells.inverse_theta[a].data(), *open = s.walls.open[a].data();
+    const Largest<Real> fastest =
+        pool_.sum(s.grid.size(), 1 << 14, Largest<Real>{}, [&](std::int64_t begin, std::int64_t end) {
+          return largest<Real>(begin, end, [&](std::size_t i) {
+            const Real flows = inverse_theta[i] * open[i]; // neither is negative, and neither is tiny
+            return flows > 0 ? std::abs(u[i]) : Real(0);
+          });
+        });
+    speed = std::max(speed, static_cast<double>(fastest.value));
   }
   const double dx = s.grid.dx, bound = s.settings.time.dt;
   const double dt = s.settings.time.cfl * dx / std::max(speed + std::sqrt(gravity * dx), 1e-30);
@@ -35,15 +73,17 @@ template <int Dim, class Real> double FluidSolver<Dim, Real>::max_dt() const {
 template <int Dim, class Real> void FluidSolver<Dim, Real>::check_finite() const {
   const auto& particles = state_.particles;
   const auto count = static_cast<std::int64_t>(particles.size());
-  const auto bad = [&](std::size_t p) {
-    Real zero = 0; // stays zero unless something is not finite
-    for (std::size_t d = 0; d < Dim; ++d) zero += 0 * particles.x[d][p] + 0 * particles.v[d][p];
-    for (const auto& column : particles.A) zero += 0 * column[p];
-    return zero != 0;
-  };
   pool_.ranges(count, 8192, [&](std::int64_t begin, std::int64_t end) {
-    for (auto p = static_cast<std::size_t>(begin); p < static_cast<std::size_t>(end); ++p)
-      if (bad(p)) throw NonFiniteError(title(), state_.steps, state_.time, particles.id[p]);
+    auto first = static_cast<std::size_t>(end); // that is not finite
+    const auto look = [&](const std::vector<Real>& column) {
+      if (all_finite(column.data() + begin, column.data() + end)) return;
+      const auto bad = std::find_if(column.begin() + begin, column.end(), [](Real x) { return !std::isfinite(x); });
+      first = std::min(first, static_cast<std::size_t>(bad - column.begin()));
+    };
+    for (std::size_t d = 0; d < Dim; ++d) look(particles.x[d]), look(particles.v[d]);
+    for (const auto& column : particles.A) look(column);
+    if (first < static_cast<std::size_t>(end))
+      throw NonFiniteError(title(), state_.steps, state_.time, particles.id[first]);
   });
 }
 

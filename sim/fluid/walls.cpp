@@ -63,11 +63,14 @@ template <int Dim, class Real> void Walls<Dim, Real>::fold(Components<Dim, Real>
 }
 
 template <int Dim, class Real> void Walls<Dim, Real>::close(Components<Dim, Real>& u, Pool& pool) const {
-  for (std::size_t a = 0; a < Dim; ++a)
-    pool.ranges(grid_.size(), 1 << 15, [&](std::int64_t b, std::int64_t e) {
-      for (auto i = static_cast<std::size_t>(b); i < static_cast<std::size_t>(e); ++i)
-        if (open[a][i] == 0 && (buried[a].empty() || !buried[a][i])) u[a][i] = u_solid[a][i];
-    });
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (periodic(axis)) continue;
+    const auto a = static_cast<std::size_t>(axis);
+    auto [below, above] = outside(grid_, axis);
+    ++below.hi[axis]; // the side itself; above it is the first
+    for (const Box<Dim>& slab : {below, above})
+      each_in(grid_, slab, pool, [&](const Index<Dim>&, std::size_t at) { u[a][at] = u_solid[a][at]; });
+  }
 }
 
 template <int Dim, class Real> void Walls<Dim, Real>::pad(Components<Dim, Real>& u, bool friction) const {
