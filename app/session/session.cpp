@@ -158,6 +158,9 @@ private:
   void summarise(const Bundle& bundle, const render::Frame& frame) {
     ++summary_.pictures;
     summary_.warnings = frame.warnings;
+    for (std::size_t i = 0; i < frame.panes.size(); ++i)
+      for (const std::string& w : frame.panes[i].snapshot->warnings)
+        summary_.warnings.push_back((frame.panes.size() > 1 ? "pane " + std::to_string(i + 1) + ": " : "") + w);
     const auto [least, most] = std::minmax_element(bundle.snapshots.begin(), bundle.snapshots.end(),
                                                    [](const auto& a, const auto& b) { return a->steps < b->steps; });
     summary_.least_steps = (*least)->steps;

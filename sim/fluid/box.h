@@ -36,14 +36,21 @@ template <int Dim> [[nodiscard]] Box<Dim> all_of(const Grid<Dim>& grid) {
 }
 
 namespace detail {
-/// body(index, position) along the rows [first, last) of a box; rows are its samples without the x axis, y fastest.
+/// The first sample of a row of a box; rows are its samples without the x axis, y fastest.
+template <int Dim> [[nodiscard]] Index<Dim> row_start(const Box<Dim>& box, std::int64_t row) {
+  Index<Dim> i = box.lo;
+  for (int d = 1; d < Dim; ++d) {
+    const int n = box.hi[d] - box.lo[d];
+    i[d] += static_cast<int>(row % n);
+    row /= n;
+  }
+  return i;
+}
+/// body(index, position) along the rows [first, last) of a box.
 template <int Dim, class Body>
 void each_in_rows(const Grid<Dim>& grid, const Box<Dim>& box, std::int64_t first, std::int64_t last, Body&& body) {
-  const Index<Dim> n = box.hi - box.lo;
   for (std::int64_t row = first; row < last; ++row) {
-    Index<Dim> i = box.lo;
-    std::int64_t rest = row;
-    for (int d = 1; d < Dim; rest /= n[d], ++d) i[d] += static_cast<int>(rest % n[d]);
+    Index<Dim> i = row_start(box, row);
     std::ptrdiff_t at = grid.at(i);
     for (; i[0] < box.hi[0]; ++i[0], ++at) body(static_cast<const Index<Dim>&>(i), static_cast<std::size_t>(at));
   }

@@ -79,6 +79,12 @@ template <int Dim, class Real> std::vector<std::string> notes(const FluidState<D
   return list;
 }
 
+std::vector<std::string> warnings(const SolveReport& solve) {
+  if (solve.stalls == 0) return {};
+  return {"multigrid stalled in " + std::to_string(solve.stalls) + " pressure solve" + (solve.stalls == 1 ? "" : "s") +
+          ", which MIC(0) conjugate gradients finished"};
+}
+
 #define FLIPBOOK_HISTORY(Dim, Real)                                                                                    \
   template HistoryRow history_row(const FluidState<Dim, Real>&, FluidLedger<Dim, Real>&, bool, Pool&);                 \
   template std::vector<std::string> notes(const FluidState<Dim, Real>&);

@@ -25,4 +25,7 @@ template <int Dim, class Real>
 /// Where the conditions of the propositions do not hold, and what else a reader must know.
 template <int Dim, class Real> [[nodiscard]] std::vector<std::string> notes(const FluidState<Dim, Real>& state);
 
+/// What went wrong so far without stopping the run.
+[[nodiscard]] std::vector<std::string> warnings(const SolveReport& solve);
+
 } // namespace flipbook

@@ -9,14 +9,10 @@
 #pragma once
 
 #include "sim/fluid/pressure_system.h"
+#include "sim/fluid/solve_report.h"
 #include "sim/scene/settings.h"
 
 namespace flipbook {
-
-struct SolveReport {
-  int iterations = 0;
-  double residual = 0; ///< |b - A p| / |b|
-};
 
 template <int Dim, class Real> class PressureCg {
 public:

@@ -4,6 +4,7 @@
 // on every open face of a liquid cell; p = 0 in air.
 #pragma once
 
+#include "sim/fluid/multigrid_cg.h"
 #include "sim/fluid/pcg.h"
 
 namespace flipbook {
@@ -16,10 +17,23 @@ public:
                          const PressureSettings& settings, double density, double dt, Components<Dim, Real>& u,
                          Field<double>& p, Pool& pool);
 
+  Progress progress; ///< that multigrid must make
+
 private:
+  SolveReport solve_on_lattice(const Grid<Dim>& grid, const Walls<Dim, Real>& walls, const Cells<Dim, Real>& cells,
+                               const PressureSettings& settings, double density, double dt,
+                               const Components<Dim, Real>& u, Field<double>& p, Pool& pool);
+  SolveReport solve_by_rows(const Grid<Dim>& grid, const Walls<Dim, Real>& walls, const Cells<Dim, Real>& cells,
+                            const PressureSettings& settings, double density, double dt, const Components<Dim, Real>& u,
+                            Field<double>& p, Pool& pool);
+
+  PressureLattice<Dim, Real> lattice_;
+  MultigridCg<Dim, Real> multigrid_;
+  Coloured<double> coloured_; ///< p on the lattice
   PressureSystem<Dim, Real> system_;
   PressureCg<Dim, Real> cg_;
   std::vector<double> rows_; ///< p on the rows of the system
+  int stalls_ = 0;           ///< solves that multigrid did not finish
 };
 
 } // namespace flipbook

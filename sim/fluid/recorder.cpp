@@ -14,8 +14,9 @@ std::string solver_name(const Settings& s) {
   const std::string surface = s.fluid.surface == Surface::ghost   ? "ghost-fluid surface"
                               : s.fluid.surface == Surface::voxel ? "voxel surface"
                                                                   : "full domain";
-  return "incompressible, MAC, " + surface +
-         (s.pressure.solver == PressureSolver::mic ? ", MIC(0) conjugate gradients" : ", conjugate gradients");
+  constexpr const char* by[] = {", multigrid conjugate gradients", ", MIC(0) conjugate gradients",
+                                ", conjugate gradients", ", Eigen's conjugate gradients"};
+  return "incompressible, MAC, " + surface + by[static_cast<std::size_t>(s.pressure.solver)];
 }
 
 } // namespace
@@ -80,6 +81,7 @@ std::shared_ptr<const Snapshot> Recorder<Dim, Real>::snapshot(const FluidState<D
   s->dt = state.last_dt;
   s->pressure_iterations = state.solve.iterations;
   s->pressure_residual = state.solve.residual;
+  s->warnings = warnings(state.solve);
 
   publish_domain(state.grid, state.walls, settings.seeding.per_axis, *s);
   s->up = settings.fluid.up(Dim);

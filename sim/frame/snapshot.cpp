@@ -159,6 +159,9 @@ template <class Archive> void fields(Archive& a, Snapshot& s, Parts& parts) {
   }
   a.optional("ledger", parts.has_ledger);
   if (parts.has_ledger) fields(a, parts.ledger);
+  bool warned = !s.warnings.empty();
+  a.optional("warnings", warned);
+  if (warned) a.field("lines", s.warnings);
   bool marked = !s.watermark.empty();
   a.optional("watermark", marked);
   if (marked) a.field("text", s.watermark);

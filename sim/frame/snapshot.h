@@ -62,6 +62,7 @@ struct Snapshot {
   std::string scheme, kernel, solver;
   std::vector<Parameter> parameters; ///< all of them, with their values at this frame
   std::vector<std::string> notes;    ///< sentences a reader must know ("L is not expected to hold exactly")
+  std::vector<std::string> warnings; ///< what went wrong so far without stopping the run, one line each
   std::string watermark;             ///< drawn across the pane where it is not empty: "mistake: reversed offset"
 
   // === When

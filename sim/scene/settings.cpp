@@ -33,8 +33,11 @@ constexpr Option wall_kinds[] = {{"free_slip", "Nothing passes; sliding along is
 constexpr Option surfaces[] = {{"ghost", "Zero pressure where the level set is zero: second order"},
                                {"voxel", "Zero pressure at the centres of air cells: first order"},
                                {"full", "No air: every cell is fluid"}};
-constexpr Option solvers[] = {{"cg", "Conjugate gradients, scaled by the diagonal"},
-                              {"mic", "Conjugate gradients with modified incomplete Cholesky"}};
+constexpr Option solvers[] = {
+    {"multigrid", "Conjugate gradients with multigrid: as many iterations for fine grids as for coarse ones"},
+    {"mic", "Conjugate gradients with modified incomplete Cholesky, MIC(0)"},
+    {"cg", "Conjugate gradients, scaled by the diagonal"},
+    {"eigen", "Conjugate gradients with incomplete Cholesky, both Eigen's: to compare with; slow"}};
 
 constexpr double most_cells = 1 << 27; // a field in single precision then takes half a GiB
 

@@ -17,8 +17,9 @@ enum class Surface {
   ghost,
   voxel,
   full
-};                                     ///< second order in the level set; air begins at a cell centre; no air at all
-enum class PressureSolver { cg, mic }; ///< conjugate gradients: plain (Jacobi), or with modified incomplete Cholesky
+}; ///< second order in the level set; air begins at a cell centre; no air at all
+/// Conjugate gradients with a multigrid cycle, with modified incomplete Cholesky, plain (Jacobi), and those of Eigen.
+enum class PressureSolver { multigrid, mic, cg, eigen };
 enum class Lockstep { shared, own };
 enum class Splitting { lie, midpoint, reflection };
 enum class Advection { rk1, rk2, rk3 };
@@ -68,7 +69,7 @@ struct FluidSettings {
 };
 
 struct PressureSettings {
-  PressureSolver solver = PressureSolver::mic;
+  PressureSolver solver = PressureSolver::multigrid;
   double tolerance = 1e-6; ///< relative residual norm
   int max_iterations = 2000;
   void describe(ParameterVisitor& v);

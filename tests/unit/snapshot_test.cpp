@@ -64,6 +64,7 @@ Snapshot example() {
        "PIC",
        "FLIP"}};
   s.notes = {"L is not expected to hold", "second\nline"};
+  s.warnings = {"multigrid stalled"};
   s.watermark = "WITH A MISTAKE: \"late\" walls";
   s.frame = 12;
   s.time = 0.1 + 0.2;
@@ -123,6 +124,7 @@ TEST(SnapshotFile, HoldsEveryFieldExactly) {
   ASSERT_EQ(a.parameters.size(), b.parameters.size());
   for (std::size_t i = 0; i < a.parameters.size(); ++i) expect_equal(a.parameters[i], b.parameters[i]);
   EXPECT_EQ(a.notes, b.notes);
+  EXPECT_EQ(a.warnings, b.warnings);
   EXPECT_EQ(a.watermark, b.watermark);
   EXPECT_EQ(a.frame, b.frame);
   EXPECT_EQ(a.time, b.time);
