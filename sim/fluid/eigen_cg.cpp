@@ -12,8 +12,7 @@ template <int Dim, class Real> Eigen::SparseMatrix<double> matrix_of(const Press
   for (std::size_t i = 0; i < system.rows.size(); ++i) {
     const auto& row = system.rows[i];
     // A cell without an open face is no equation: 1 p = 0.
-    entries.emplace_back(static_cast<int>(i), static_cast<int>(i),
-                         row.diagonal > 0 ? static_cast<double>(row.diagonal) : 1.0);
+    entries.emplace_back(static_cast<int>(i), static_cast<int>(i), row.diagonal > 0 ? row.diagonal : 1.0);
     for (std::size_t s = 0; s < row.weight.size(); ++s)
       if (row.weight[s] > 0)
         entries.emplace_back(static_cast<int>(i), row.neighbour[s], -static_cast<double>(row.weight[s]));

@@ -25,6 +25,7 @@ public:
   void cycle(Pool& pool) { cycle(0, true, pool); }
 
   [[nodiscard]] std::size_t levels() const { return used_; }
+  [[nodiscard]] const PressureLevel<Dim>& level(std::size_t l) const { return levels_[l]; }
 
 private:
   using Level = PressureLevel<Dim>;

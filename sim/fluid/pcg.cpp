@@ -32,7 +32,8 @@ template <int Dim, class Real> void PressureCg<Dim, Real>::factorise(const Syste
   upper_.resize(rows.size()); // sum of the weights towards higher rows
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto& row = rows[i];
-    Real e = row.diagonal;
+    const Real diagonal = static_cast<Real>(row.diagonal);
+    Real e = diagonal;
     upper_[i] = 0;
     for (std::size_t s = 0; s < System::sides; ++s) {
       const auto j = static_cast<std::size_t>(row.neighbour[s]);
@@ -42,7 +43,7 @@ template <int Dim, class Real> void PressureCg<Dim, Real>::factorise(const Syste
       else if (solver == PressureSolver::mic)
         e -= w * inverse_e_[j] * (w + Real(0.97) * (upper_[j] - w));
     }
-    if (e < Real(0.25) * row.diagonal) e = row.diagonal; // keeps the factors of a singular matrix positive
+    if (e < Real(0.25) * diagonal) e = diagonal; // keeps the factors of a singular matrix positive
     inverse_e_[i] = e > 0 ? 1 / e : Real(0);
   }
 }

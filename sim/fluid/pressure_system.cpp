@@ -44,7 +44,7 @@ void PressureSystem<Dim, Real>::assemble(const Grid<Dim>& grid, const Walls<Dim,
           const Real weight =
               walls.open[static_cast<std::size_t>(a)][face] * cells.inverse_theta[static_cast<std::size_t>(a)][face];
           const int neighbour = number_[beyond];
-          row.diagonal += weight;
+          row.diagonal += static_cast<double>(weight);
           row.neighbour[--side] = neighbour < 0 ? static_cast<int>(i) : neighbour;
           row.weight[side] = neighbour < 0 ? Real(0) : weight;
           if (neighbour < 0 && weight > 0) at_air_[i] = 1;
@@ -61,7 +61,7 @@ template <int Dim, class Real>
 void PressureSystem<Dim, Real>::multiply(const std::vector<double>& p, std::vector<double>& q, Pool& pool) const {
   pool.ranges(static_cast<std::int64_t>(rows.size()), grain, [&](std::int64_t begin, std::int64_t end) {
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-      double sum = static_cast<double>(rows[i].diagonal) * p[i];
+      double sum = rows[i].diagonal * p[i];
       for (std::size_t s = 0; s < sides; ++s)
         sum -= static_cast<double>(rows[i].weight[s]) * p[static_cast<std::size_t>(rows[i].neighbour[s])];
       q[i] = sum;

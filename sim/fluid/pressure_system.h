@@ -23,7 +23,7 @@ template <int Dim, class Real> struct PressureSystem {
   struct Row {
     std::array<int, sides> neighbour;
     std::array<Real, sides> weight;
-    Real diagonal;
+    double diagonal; ///< the exact sum of single-precision weights: a closed pocket stays singular
   };
 
   std::vector<Row> rows;
