@@ -53,10 +53,10 @@ double MultigridCg<Dim, Real>::find_residual(Lattice& lattice, const Coloured<do
       const double* b = lattice.b.of(colour) + piece.at;
       const float* inverse = level.inverse_d.of(colour) + piece.at;
       float* r = level.b.of(colour) + piece.at;
-      apply(level.board, lattice.matrix(), Real(1), p, piece, colour, [&](int i, double Ap) {
-        const auto r_i = static_cast<float>((b[i] - Ap) * inverse_b);
-        r[i] = inverse[i] > 0 ? r_i : 0.0f; // pads hold weights as well
-      });
+      apply(level.board, lattice.matrix(), Real(1), p, piece, colour,
+            [&](int i, double Ap) { r[i] = static_cast<float>((b[i] - Ap) * inverse_b); });
+      if (!piece.plain)
+        for (int i = 0; i < piece.count; ++i) r[i] = inverse[i] > 0 ? r[i] : 0.0f; // pads hold weights as well
       lanes.add(piece.count, [&](int i) { return static_cast<double>(r[i]) * static_cast<double>(r[i]); });
     }
   });

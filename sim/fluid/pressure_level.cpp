@@ -24,7 +24,8 @@ template <int Dim> void PressureLevel<Dim>::invert_diagonal(const typename Board
     FLIPBOOK_INDEPENDENT
     for (int i = 0; i < count; ++i) {
       const float d = e[i] + over_axes<Dim>([&](auto a) { return w.low[a][i] + w.high[a][i]; });
-      inverse[i] = d > 0 ? 1 / d : 0;
+      const float some = d > 0 ? d : 1.0f;
+      inverse[i] = d > 0 ? 1 / some : 0.0f;
     }
     std::fill(inverse + count, inverse + board.places, 0.0f);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The same bytes for any number of threads.
+#include "tests/physics/arrangement.h"
 #include "tests/physics/solids.h"
 
 #include <gtest/gtest.h>
@@ -105,6 +106,30 @@ TEST(Threads, SameBytesWithObstaclesIn3D) {
   const std::uint64_t expected = run(1);
   EXPECT_EQ(run(2), expected);
   EXPECT_EQ(run(3), expected);
+}
+
+/// Large enough for several chunks on the finest two levels, with closed pockets and periodic sides.
+TEST(Threads, SameBytesFromThePressureSolve) {
+  const auto run = [](int threads, double share, Wall wall) {
+    Arrangement<3, float> a(52, 2, share, wall);
+    a.settings.pressure.tolerance = 1e-6;
+    Budget budget(threads);
+    Pool pool(budget);
+    const Budget::Permit permit(budget);
+    Field<double> p;
+    const SolveReport report =
+        Projection<3, float>()(a.grid, a.walls, a.cells, a.settings.pressure, 1000, 0.01, a.u, p, pool);
+    EXPECT_LE(report.residual, 1e-6);
+    Hash h;
+    h.add(p);
+    for (const auto& u : a.u) h.add(u);
+    return h.value;
+  };
+  for (const auto& [share, wall] : {std::pair(0.7, Wall::free_slip), std::pair(1.0, Wall::periodic)}) {
+    const std::uint64_t expected = run(1, share, wall);
+    EXPECT_EQ(run(2, share, wall), expected);
+    EXPECT_EQ(run(3, share, wall), expected);
+  }
 }
 
 /// Two variants side by side on one pool give what each gives alone.
