@@ -57,11 +57,15 @@ template <int Dim> void coarsen_matrix(const PressureLevel<Dim>& fine, PressureL
 
 /// r = b - A x at the cells of a colour. What pads hold is no row of the matrix.
 template <int Dim> void find_residual(PressureLevel<Dim>& level, int colour, Pool& pool) {
-  level.each_piece(pool, [&](const Piece& piece) {
-    const float *b = level.b.of(colour) + piece.at, *inverse = level.inverse_d.of(colour) + piece.at;
-    float* r = level.r.of(colour) + piece.at;
-    apply(level.board, level.A, level.full, level.x, piece, colour,
-          [&](int i, float Ax) { r[i] = inverse[i] > 0 ? b[i] - Ax : 0.0f; });
+  const Apply<Dim, float, float> A(level.board, level.A, level.full, level.x, colour);
+  const float *b_0 = level.b.of(colour), *inverse_0 = level.inverse_d.of(colour);
+  float* r_0 = level.r.of(colour);
+  level.each_piece(pool, [=](const Piece& piece) {
+    const float *b = b_0 + piece.at, *inverse = inverse_0 + piece.at;
+    float* r = r_0 + piece.at;
+    A(piece, [&](int i, float Ax) { r[i] = b[i] - Ax; });
+    if (!piece.plain)
+      for (int i = 0, n = piece.count(); i < n; ++i) r[i] = inverse[i] > 0 ? r[i] : 0.0f;
   });
 }
 
@@ -82,7 +86,7 @@ void restrict_colour(const PressureLevel<Dim>& fine, PressureLevel<Dim>& coarse,
                  (r[2 * i + slot + step[2]] + r[2 * i + slot + step[1] + step[2]]);
       };
       FLIPBOOK_INDEPENDENT
-      for (int i = 0; i < piece.count; ++i) b[i] = (add ? b[i] : 0.0f) + of_rows(i);
+      for (int i = 0, n = piece.count(); i < n; ++i) b[i] = (add ? b[i] : 0.0f) + of_rows(i);
     }
   });
 }
@@ -95,7 +99,7 @@ void prolong_colour(const PressureLevel<Dim>& coarse, PressureLevel<Dim>& fine, 
     const float *first = coarse.x.of(piece.coarse_parity) + piece.coarser,
                 *second = coarse.x.of(1 - piece.coarse_parity) + piece.coarser;
     FLIPBOOK_INDEPENDENT
-    for (int i = 0; i < piece.count / 2; ++i) {
+    for (int i = 0, n = piece.count() / 2; i < n; ++i) {
       x[2 * i] += over_correction * first[i];
       x[2 * i + 1] += over_correction * second[i];
     }
@@ -127,7 +131,7 @@ template <int Dim> void Multigrid<Dim>::coarsen(Pool& pool) {
 
 template <int Dim> void Multigrid<Dim>::sweep(Level& level, int colour, Pool& pool) {
   level.board.fill_pads(level.x, pool);
-  level.each_piece(pool, [&](const Piece& piece) { relax(level, piece, colour); });
+  level.each_piece(pool, Relax<Dim>(level, colour));
 }
 
 /// The first sweep over red cells from x = 0.
@@ -137,7 +141,7 @@ template <int Dim> void Multigrid<Dim>::start(Level& level, Pool& pool) {
     const float *inverse = level.inverse_d.of(0) + piece.at, *b = level.b.of(0) + piece.at;
     float* x = level.x.of(0) + piece.at;
     FLIPBOOK_INDEPENDENT
-    for (int i = 0; i < piece.count; ++i) x[i] = inverse[i] * b[i];
+    for (int i = 0, n = piece.count(); i < n; ++i) x[i] = inverse[i] * b[i];
   });
 }
 
@@ -186,7 +190,7 @@ template <int Dim> void Multigrid<Dim>::invert_coarsest(Pool& pool) {
     for (const int colour : {0, 1})
       level.each_piece(pool, [&](const Piece& piece) {
         float* Ax = level.r.of(colour) + piece.at;
-        apply(level.board, level.A, level.full, level.x, piece, colour, [&](int i, float y) { Ax[i] = y; });
+        Apply(level.board, level.A, level.full, level.x, colour)(piece, [&](int i, float y) { Ax[i] = y; });
       });
     for (std::size_t i = 0; i < n; ++i)
       matrix_[i * n + j] = static_cast<double>(level.r.of(cells_[i].colour)[cells_[i].at]);

@@ -14,27 +14,28 @@ double dot(const PressureLevel<Dim>& level, const Coloured<F>& f, const Coloured
     for (const int colour : {0, 1}) {
       const F* x = f.of(colour) + piece.at;
       const G* y = g.of(colour) + piece.at;
-      lanes.add(piece.count, [&](int i) { return static_cast<double>(x[i]) * static_cast<double>(y[i]); });
+      lanes.add(piece.count(), [&](int i) { return static_cast<double>(x[i]) * static_cast<double>(y[i]); });
     }
   });
 }
 
 /// s.A s = sum over faces of w (s_i - s_j)^2 + sum of e s^2: without differences of large numbers.
 template <int Dim> double energy(const PressureLevel<Dim>& level, const Coloured<float>& s, Pool& pool) {
+  const Around<Dim, float> around[] = {{level.board, s, 0}, {level.board, s, 1}};
+  const Arms<Dim, float> arms[] = {{level.board, level.A, 0}, {level.board, level.A, 1}};
   return level.sum(pool, [&](const Piece& piece, Lanes& lanes) {
     for (const int colour : {0, 1}) {
-      const Around<Dim, float> x(level.board, s, piece, colour);
+      const auto low = around[colour].low(piece);
       const float* own = s.of(colour) + piece.at;
-      const auto square = [&](auto a, int i) { return (own[i] - x.low[a][i]) * (own[i] - x.low[a][i]); };
+      const auto square = [&](auto a, int i) { return (own[i] - low[a][i]) * (own[i] - low[a][i]); };
       if (piece.plain) {
-        lanes.add(piece.count,
-                  [&](int i) { return level.full * over_axes<Dim>([&](auto a) { return square(a, i); }); });
+        lanes.add(piece.count(), [&](int i) { return over_axes<Dim>([&](auto a) { return square(a, i); }); });
         continue;
       }
-      const Arms<Dim, float> w(level.board, level.A, piece, colour);
+      const auto w = arms[colour].low(piece);
       const float *e = level.A.e.of(colour) + piece.at, *inverse = level.inverse_d.of(colour) + piece.at;
-      lanes.add(piece.count, [&](int i) {
-        const float sum = e[i] * own[i] * own[i] + over_axes<Dim>([&](auto a) { return w.low[a][i] * square(a, i); });
+      lanes.add(piece.count(), [&](int i) {
+        const float sum = e[i] * own[i] * own[i] + over_axes<Dim>([&](auto a) { return w[a][i] * square(a, i); });
         return inverse[i] > 0 ? sum : 0.0f; // pads hold weights as well
       });
     }
@@ -48,16 +49,17 @@ template <int Dim, class Real>
 double MultigridCg<Dim, Real>::find_residual(Lattice& lattice, const Coloured<double>& p, Pool& pool) {
   PressureLevel<Dim>& level = lattice.level();
   const double inverse_b = 1 / norm_b_;
+  const Apply<Dim, Real, double> A[] = {{level.board, lattice.matrix(), level.full, p, 0},
+                                        {level.board, lattice.matrix(), level.full, p, 1}};
   const double square = level.sum(pool, [&](const Piece& piece, Lanes& lanes) {
     for (const int colour : {0, 1}) {
       const double* b = lattice.b.of(colour) + piece.at;
       const float* inverse = level.inverse_d.of(colour) + piece.at;
       float* r = level.b.of(colour) + piece.at;
-      apply(level.board, lattice.matrix(), Real(1), p, piece, colour,
-            [&](int i, double Ap) { r[i] = static_cast<float>((b[i] - Ap) * inverse_b); });
+      A[colour](piece, [&](int i, double Ap) { r[i] = static_cast<float>((b[i] - Ap) * inverse_b); });
       if (!piece.plain)
-        for (int i = 0; i < piece.count; ++i) r[i] = inverse[i] > 0 ? r[i] : 0.0f; // pads hold weights as well
-      lanes.add(piece.count, [&](int i) { return static_cast<double>(r[i]) * static_cast<double>(r[i]); });
+        for (int i = 0, n = piece.count(); i < n; ++i) r[i] = inverse[i] > 0 ? r[i] : 0.0f; // pads hold weights as well
+      lanes.add(piece.count(), [&](int i) { return static_cast<double>(r[i]) * static_cast<double>(r[i]); });
     }
   });
   return std::sqrt(square);
@@ -75,7 +77,7 @@ template <int Dim, class Real> bool MultigridCg<Dim, Real>::step(Lattice& lattic
       const float* z = level.x.of(colour) + piece.at;
       float* s = s_.of(colour) + piece.at;
       FLIPBOOK_INDEPENDENT
-      for (int i = 0; i < piece.count; ++i) s[i] = z[i] + beta * s[i];
+      for (int i = 0, n = piece.count(); i < n; ++i) s[i] = z[i] + beta * s[i];
     }
   });
   level.board.fill_pads(s_, pool);
@@ -87,7 +89,7 @@ template <int Dim, class Real> bool MultigridCg<Dim, Real>::step(Lattice& lattic
       const float* s = s_.of(colour) + piece.at;
       double* to = p.of(colour) + piece.at;
       FLIPBOOK_INDEPENDENT
-      for (int i = 0; i < piece.count; ++i) to[i] += alpha * static_cast<double>(s[i]);
+      for (int i = 0, n = piece.count(); i < n; ++i) to[i] += alpha * static_cast<double>(s[i]);
     }
   });
   level.board.fill_pads(p, pool);
@@ -102,7 +104,7 @@ double MultigridCg<Dim, Real>::rounding(Lattice& lattice, const Coloured<double>
     for (const int colour : {0, 1}) {
       const double* x = p.of(colour) + piece.at;
       const float* inverse = level.inverse_d.of(colour) + piece.at;
-      lanes.add(piece.count, [&](int i) {
+      lanes.add(piece.count(), [&](int i) {
         const double dp = inverse[i] > 0 ? x[i] / static_cast<double>(inverse[i]) : 0;
         return dp * dp;
       });

@@ -8,7 +8,13 @@ constexpr int places_per_chunk = 8192;
 
 /// The whole row as a piece.
 template <int Dim> Piece whole(const Checkerboard<Dim>& board, const typename Checkerboard<Dim>::Row& row) {
-  return {static_cast<int>(row.at), board.places, 0, 0, static_cast<std::uint8_t>(row.parity), 0, false};
+  return {static_cast<int>(row.at),
+          board.places / Checkerboard<Dim>::block,
+          0,
+          0,
+          static_cast<std::uint8_t>(row.parity),
+          0,
+          false};
 }
 
 } // namespace
@@ -17,13 +23,14 @@ template <int Dim> Piece whole(const Checkerboard<Dim>& board, const typename Ch
 template <int Dim> void PressureLevel<Dim>::invert_diagonal(const typename Board::Row& row) {
   const Piece piece = whole(board, row);
   for (const int colour : {0, 1}) {
-    const Arms<Dim, float> w(board, A, piece, colour);
+    const Arms<Dim, float> arms(board, A, colour);
+    const auto low = arms.low(piece), high = arms.high(piece);
     const float* e = A.e.of(colour) + row.at;
     float* inverse = inverse_d.of(colour) + row.at;
     const int count = (board.n[0] + 1 - piece.second(colour)) / 2;
     FLIPBOOK_INDEPENDENT
     for (int i = 0; i < count; ++i) {
-      const float d = e[i] + over_axes<Dim>([&](auto a) { return w.low[a][i] + w.high[a][i]; });
+      const float d = e[i] + over_axes<Dim>([&](auto a) { return low[a][i] + high[a][i]; });
       const float some = d > 0 ? d : 1.0f;
       inverse[i] = d > 0 ? 1 / some : 0.0f;
     }
@@ -34,18 +41,20 @@ template <int Dim> void PressureLevel<Dim>::invert_diagonal(const typename Board
 template <int Dim> void PressureLevel<Dim>::classify(std::int64_t index, const typename Board::Row& row) {
   const Piece piece = whole(board, row);
   const float plain_d = 2 * Dim * full;
-  const Arms<Dim, float> w0(board, A, piece, 0), w1(board, A, piece, 1);
+  const Arms<Dim, float> arms0(board, A, 0), arms1(board, A, 1);
+  const auto low0 = arms0.low(piece), high0 = arms0.high(piece), low1 = arms1.low(piece), high1 = arms1.high(piece);
   const float *e0 = A.e.of(0) + row.at, *e1 = A.e.of(1) + row.at;
   const float *d0 = inverse_d.of(0) + row.at, *d1 = inverse_d.of(1) + row.at;
   int count = 0;
   for (int k = 0; k < board.places / block; ++k) {
     int in_block = 0, like_all = 0;
     for (int i = k * block; i < (k + 1) * block; ++i) {
-      const auto sum = [&](const Arms<Dim, float>& w) {
-        return over_axes<Dim>([&](auto a) { return w.low[a][i] + w.high[a][i]; });
+      const auto sum = [&](const auto& low, const auto& high) {
+        return over_axes<Dim>([&](auto a) { return low[a][i] + high[a][i]; });
       };
       in_block += (d0[i] > 0) + (d1[i] > 0);
-      like_all += (d0[i] > 0 && e0[i] == 0 && sum(w0) == plain_d) + (d1[i] > 0 && e1[i] == 0 && sum(w1) == plain_d);
+      like_all += (d0[i] > 0 && e0[i] == 0 && sum(low0, high0) == plain_d) +
+                  (d1[i] > 0 && e1[i] == 0 && sum(low1, high1) == plain_d);
     }
     count += in_block;
     kinds_[static_cast<std::size_t>(index * (board.places / block) + k)] = like_all == 2 * block ? plain
@@ -78,10 +87,10 @@ template <int Dim> void PressureLevel<Dim>::cut_pieces(const Board* finer, const
       if (kind(index, k) == none) continue;
       while (end < blocks && kind(index, end) == kind(index, k)) ++end;
       const int first = k * block;
-      pieces.push_back({static_cast<int>(row.at) + first, (end - k) * block, static_cast<int>(fine_at) + 2 * first,
+      pieces.push_back({static_cast<int>(row.at) + first, end - k, static_cast<int>(fine_at) + 2 * first,
                         static_cast<int>(coarse_at) + first / 2, static_cast<std::uint8_t>(row.parity),
                         static_cast<std::uint8_t>(coarse_parity), kind(index, k) == plain});
-      places += pieces.back().count;
+      places += pieces.back().count();
       if (places >= places_per_chunk) {
         chunks_.push_back(static_cast<int>(pieces.size()));
         places = 0;

@@ -27,15 +27,16 @@ template <int Dim, class T> struct Stencil {
   }
 };
 
-/// Places [at, at + count) of both colours, whole blocks.
+/// Places [at, at + count()) of both colours, whole blocks.
 struct Piece {
-  int at, count;
+  int at, blocks;
   int finer,
       coarser; ///< the place of its first cell's first cell one level finer; where its place 0 and 1 lie one coarser
   std::uint8_t parity;        ///< of y + z
   std::uint8_t coarse_parity; ///< of that row one level coarser
   bool plain;
 
+  [[nodiscard]] int count() const { return 8 * blocks; }
   /// Of the cells of a colour: 0 the first of two neighbours that share a place, 1 the second.
   [[nodiscard]] int second(int colour) const { return (colour + parity) & 1; }
 };
@@ -48,31 +49,57 @@ template <int Dim, class F> [[gnu::always_inline]] inline auto over_axes(F&& f) 
   (std::make_index_sequence<Dim>());
 }
 
-/// What lies around the cells of one colour of a piece: values of the other colour towards lower and upper faces.
-template <int Dim, class T> struct Around {
-  std::array<const T*, Dim> low, high;
+/// What lies around the cells of one colour: values of the other colour towards lower and upper faces.
+template <int Dim, class T> class Around {
+public:
+  using Pointers = std::array<const T*, Dim>;
+  Around(const Checkerboard<Dim>& board, const Coloured<T>& f, int colour)
+      : step_(board.step), other_(f.of(1 - colour)), colour_(colour) {}
 
-  Around(const Checkerboard<Dim>& board, const Coloured<T>& f, const Piece& piece, int colour) {
-    const T* other = f.of(1 - colour) + piece.at;
-    low[0] = other - 1 + piece.second(colour);
-    high[0] = other + piece.second(colour);
-    for (std::size_t a = 1; a < Dim; ++a) {
-      low[a] = other - board.step[a];
-      high[a] = other + board.step[a];
-    }
+  [[nodiscard]] Pointers low(const Piece& piece) const {
+    const T* other = other_ + piece.at;
+    Pointers p{other - 1 + piece.second(colour_)};
+    for (std::size_t a = 1; a < Dim; ++a) p[a] = other - step_[a];
+    return p;
   }
+  [[nodiscard]] Pointers high(const Piece& piece) const {
+    const T* other = other_ + piece.at;
+    Pointers p{other + piece.second(colour_)};
+    for (std::size_t a = 1; a < Dim; ++a) p[a] = other + step_[a];
+    return p;
+  }
+
+private:
+  std::array<std::ptrdiff_t, Dim> step_;
+  const T* other_;
+  int colour_;
 };
 
-/// The weights of the lower and upper faces of the cells of one colour of a piece.
-template <int Dim, class T> struct Arms {
-  std::array<const T*, Dim> low, high;
-
-  Arms(const Checkerboard<Dim>& board, const Stencil<Dim, T>& A, const Piece& piece, int colour) {
+/// The weights of the lower and upper faces of the cells of one colour.
+template <int Dim, class T> class Arms {
+public:
+  using Pointers = std::array<const T*, Dim>;
+  Arms(const Checkerboard<Dim>& board, const Stencil<Dim, T>& A, int colour) : colour_(colour) {
     for (std::size_t a = 0; a < Dim; ++a) {
-      low[a] = A.w[a].of(colour) + piece.at;
-      high[a] = A.w[a].of(1 - colour) + piece.at + (a == 0 ? piece.second(colour) : board.step[a]);
+      low_[a] = A.w[a].of(colour);
+      high_[a] = A.w[a].of(1 - colour) + (a == 0 ? 0 : board.step[a]);
     }
   }
+  [[nodiscard]] Pointers low(const Piece& piece) const {
+    Pointers p = low_;
+    for (const T*& of_axis : p) of_axis += piece.at;
+    return p;
+  }
+  [[nodiscard]] Pointers high(const Piece& piece) const {
+    Pointers p = high_;
+    for (const T*& of_axis : p) of_axis += piece.at;
+    p[0] += piece.second(colour_);
+    return p;
+  }
+
+private:
+  Pointers low_, high_;
+  int colour_;
 };
 
 /// A sum in eight lanes, in double: the same for any instruction set and any number of threads.
@@ -157,49 +184,78 @@ private:
   mutable std::vector<double> partial_;
 };
 
-// === Loops over the cells of one colour of a piece
+// === Loops over the cells of one colour of a piece; what they need of the level is looked up once
 
 /// Gauss-Seidel: x_i = (b_i + sum w x_j) / d_i.
-template <int Dim> void relax(PressureLevel<Dim>& level, const Piece& piece, int colour) {
-  const Around<Dim, float> x(level.board, level.x, piece, colour);
-  const float* b = level.b.of(colour) + piece.at;
-  float* out = level.x.of(colour) + piece.at;
-  if (piece.plain) {
-    const float of_b = 1 / (2 * Dim * level.full), of_x = 1.0f / (2 * Dim);
-    FLIPBOOK_INDEPENDENT
-    for (int i = 0; i < piece.count; ++i)
-      out[i] = of_b * b[i] + of_x * over_axes<Dim>([&](auto a) { return x.low[a][i] + x.high[a][i]; });
-    return;
-  }
-  const Arms<Dim, float> w(level.board, level.A, piece, colour);
-  const float* inverse = level.inverse_d.of(colour) + piece.at;
-  FLIPBOOK_INDEPENDENT
-  for (int i = 0; i < piece.count; ++i)
-    out[i] = inverse[i] *
-             (b[i] + over_axes<Dim>([&](auto a) { return w.low[a][i] * x.low[a][i] + w.high[a][i] * x.high[a][i]; }));
-}
+template <int Dim> class Relax {
+public:
+  Relax(PressureLevel<Dim>& level, int colour)
+      : around_(level.board, level.x, colour), arms_(level.board, level.A, colour), b_(level.b.of(colour)),
+        inverse_(level.inverse_d.of(colour)), x_(level.x.of(colour)), of_b_(1 / (2 * Dim * level.full)) {}
 
-/// A p at the cells of one colour of a piece, as a function of the place.
-template <int Dim, class T, class X, class Out>
-[[gnu::always_inline]] inline void apply(const Checkerboard<Dim>& board, const Stencil<Dim, T>& A, T full,
-                                         const Coloured<X>& p, const Piece& piece, int colour, Out&& out) {
-  const Around<Dim, X> x(board, p, piece, colour);
-  const X* own = p.of(colour) + piece.at;
-  if (piece.plain) {
-    const X weight = static_cast<X>(full);
+  void operator()(const Piece& piece) const {
+    const auto low = around_.low(piece), high = around_.high(piece);
+    const float* b = b_ + piece.at;
+    float* x = x_ + piece.at;
+    const int n = piece.count();
+    if (piece.plain) {
+      const float of_b = of_b_, of_x = 1.0f / (2 * Dim);
+      FLIPBOOK_INDEPENDENT
+      for (int i = 0; i < n; ++i)
+        x[i] = of_b * b[i] + of_x * over_axes<Dim>([&](auto a) { return low[a][i] + high[a][i]; });
+      return;
+    }
+    const auto w_low = arms_.low(piece), w_high = arms_.high(piece);
+    const float* inverse = inverse_ + piece.at;
     FLIPBOOK_INDEPENDENT
-    for (int i = 0; i < piece.count; ++i)
-      out(i, weight * over_axes<Dim>([&](auto a) { return (own[i] - x.low[a][i]) + (own[i] - x.high[a][i]); }));
-    return;
+    for (int i = 0; i < n; ++i)
+      x[i] = inverse[i] *
+             (b[i] + over_axes<Dim>([&](auto a) { return w_low[a][i] * low[a][i] + w_high[a][i] * high[a][i]; }));
   }
-  const Arms<Dim, T> w(board, A, piece, colour);
-  const T* e = A.e.of(colour) + piece.at;
-  FLIPBOOK_INDEPENDENT
-  for (int i = 0; i < piece.count; ++i)
-    out(i, static_cast<X>(e[i]) * own[i] + over_axes<Dim>([&](auto a) {
-             return static_cast<X>(w.low[a][i]) * (own[i] - x.low[a][i]) +
-                    static_cast<X>(w.high[a][i]) * (own[i] - x.high[a][i]);
-           }));
-}
+
+private:
+  Around<Dim, float> around_;
+  Arms<Dim, float> arms_;
+  const float *b_, *inverse_;
+  float* x_;
+  float of_b_;
+};
+
+/// A p in the precision X of p.
+template <int Dim, class T, class X> class Apply {
+public:
+  Apply(const Checkerboard<Dim>& board, const Stencil<Dim, T>& A, float full, const Coloured<X>& p, int colour)
+      : around_(board, p, colour), arms_(board, A, colour), e_(A.e.of(colour)), p_(p.of(colour)),
+        full_(static_cast<X>(full)) {}
+
+  /// out(i, (A p)_i) for each place piece.at + i.
+  template <class Out> [[gnu::always_inline]] void operator()(const Piece& piece, Out&& out) const {
+    const auto low = around_.low(piece), high = around_.high(piece);
+    const X* own = p_ + piece.at;
+    const int n = piece.count();
+    if (piece.plain) {
+      const X full = full_;
+      FLIPBOOK_INDEPENDENT
+      for (int i = 0; i < n; ++i)
+        out(i, full * over_axes<Dim>([&](auto a) { return (own[i] - low[a][i]) + (own[i] - high[a][i]); }));
+      return;
+    }
+    const auto w_low = arms_.low(piece), w_high = arms_.high(piece);
+    const T* e = e_ + piece.at;
+    FLIPBOOK_INDEPENDENT
+    for (int i = 0; i < n; ++i)
+      out(i, static_cast<X>(e[i]) * own[i] + over_axes<Dim>([&](auto a) {
+               return static_cast<X>(w_low[a][i]) * (own[i] - low[a][i]) +
+                      static_cast<X>(w_high[a][i]) * (own[i] - high[a][i]);
+             }));
+  }
+
+private:
+  Around<Dim, X> around_;
+  Arms<Dim, T> arms_;
+  const T* e_;
+  const X* p_;
+  X full_;
+};
 
 } // namespace flipbook

@@ -25,7 +25,7 @@ template <int Dim> double energy(const PressureLevel<Dim>& level, Coloured<float
   double sum = 0;
   level.each_piece(pool, [&](const Piece& piece) {
     for (const int colour : {0, 1})
-      apply(level.board, level.A, level.full, v, piece, colour, [&](int i, float Av) {
+      Apply(level.board, level.A, level.full, v, colour)(piece, [&](int i, float Av) {
         const std::ptrdiff_t at = piece.at + i;
         if (level.inverse_d.of(colour)[at] > 0) sum += static_cast<double>(v.of(colour)[at]) * static_cast<double>(Av);
       });
