@@ -30,8 +30,8 @@ template <int Dim, class T> struct Stencil {
 /// Places [at, at + count()) of both colours, whole blocks.
 struct Piece {
   int at, blocks;
-  int finer,
-      coarser; ///< the place of its first cell's first cell one level finer; where its place 0 and 1 lie one coarser
+  int finer;                  ///< where the first of its cells' cells lies one level finer
+  int coarser;                ///< where the cell that its first place is part of lies one level coarser
   std::uint8_t parity;        ///< of y + z
   std::uint8_t coarse_parity; ///< of that row one level coarser
   bool plain;
