@@ -12,6 +12,7 @@
 #include "sim/fluid/recorder.h"
 #include "sim/fluid/stage_hook.h"
 #include "sim/simulation.h"
+#include "sim/transfer/xpic.h"
 
 namespace flipbook {
 
