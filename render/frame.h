@@ -26,7 +26,7 @@ struct Pane {
 
 struct Frame {
   std::string title;
-  double time = 0;         ///< seconds simulated
+  double time = 0;         ///< simulated, in time_unit()
   double duration = 0;     ///< of the whole run, for the plots' time axis
   std::vector<Pane> panes; ///< 1 to 12
   std::vector<PointerTarget>
@@ -34,5 +34,13 @@ struct Frame {
   bool turning = false; ///< the timeline moves the camera around: the tank then keeps its size from frame to frame
   std::vector<std::string> warnings; ///< "panes 2 and 3 show identical particles"
 };
+
+/// What its times are in: the unit of its panes, seconds where they differ.
+[[nodiscard]] inline std::string time_unit(const Frame& frame) {
+  std::string unit = frame.panes.empty() ? "s" : frame.panes.front().snapshot->time_unit;
+  for (const Pane& p : frame.panes)
+    if (p.snapshot->time_unit != unit) return "s";
+  return unit;
+}
 
 } // namespace flipbook::render

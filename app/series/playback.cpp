@@ -122,6 +122,7 @@ void Playback::describe(std::uint64_t frame, Snapshot& s) {
   s.solver = v.solver;
   s.notes = v.notes;
   s.watermark = v.watermark;
+  s.time_unit = v.time_unit;
   if (has_parameters_) s.parameters = parameters_of(settings_);
   s.frame = frame;
   s.time = recording_->times[frame];

@@ -126,6 +126,7 @@ private:
     if (const Node* notes = table.optional("notes"))
       for (const Node& n : notes->items) v.notes.push_back(n.text);
     v.watermark = table.text("watermark", "");
+    v.time_unit = table.text("time_unit", "s");
     read_domain(table, v);
     const std::size_t frames = series_.times.size();
     for (const double n : list_of(table, "steps", frames, 0, most_steps))

@@ -38,6 +38,7 @@ struct SeriesVariant {
   std::string label, title, scheme, kernel, solver;
   std::vector<std::string> notes;
   std::string watermark;              ///< of a run with a mistake on purpose
+  std::string time_unit = "s";        ///< Snapshot::time_unit
   std::vector<Assignment> parameters; ///< of the solver at the first frame
   /// What was different from some frame on.
   struct Change {

@@ -44,6 +44,7 @@ std::string variant_text(const SeriesVariant& v) {
   text += line("title", v.title) + line("scheme", v.scheme) + line("kernel", v.kernel) + line("solver", v.solver);
   if (!v.notes.empty()) text += line("notes", v.notes);
   if (!v.watermark.empty()) text += line("watermark", v.watermark);
+  if (v.time_unit != "s") text += line("time_unit", v.time_unit);
   text += line("dim", static_cast<double>(v.dim)) + line("single", v.single) + line("origin", axes(v.origin, v.dim)) +
           line("lo", axes(v.lo, v.dim)) + line("size", axes(v.size, v.dim)) + line("cells", axes(v.cells, v.dim)) +
           line("dx", v.dx) + periodic_text(v) + line("up", axes(v.up, v.dim)) +

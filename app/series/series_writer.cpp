@@ -145,6 +145,7 @@ void SeriesWriter::begin(std::span<const std::shared_ptr<const Snapshot>> varian
     v.solver = s.solver;
     v.notes = s.notes;
     v.watermark = s.watermark;
+    v.time_unit = s.time_unit;
     v.parameters = differences(s.parameters, {});
     v.dim = s.dim;
     v.origin = resolved_.variants[i].scene.settings.grid.origin;

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view first_columns = "variant,frame,substep,t (s),stage";
+constexpr std::string_view first_columns = "variant,frame,substep,t (";
 
 /// As RFC 4180 asks for: quoted where it holds what would end it.
 std::string field(const std::string& text) {
@@ -89,7 +89,10 @@ void LedgerFile::begin(std::span<const std::shared_ptr<const Snapshot>> variants
       std::vector<std::string>& known = units[q.name];
       if (std::find(known.begin(), known.end(), q.unit) == known.end()) known.push_back(q.unit);
     }
-  std::string head(first_columns);
+  std::string clock = variants.front()->time_unit;
+  for (const auto& v : variants)
+    if (v->time_unit != clock) clock = "s or trips";
+  std::string head = std::string(first_columns) + clock + "),stage";
   for (const std::string& name : columns_) {
     std::string unit;
     for (const std::string& u : units[name]) unit += (unit.empty() ? "" : " or ") + u;

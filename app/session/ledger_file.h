@@ -9,7 +9,8 @@
 // since the row of particles before: held now = held before + the sum of the stages. With ledger.rows = "step" there is
 // such a group for every step. `substep` counts the steps within their frame, up to the one at whose end the row
 // stands. Numbers have 17 digits; one that means nothing (angular momentum with a periodic axis), or that the variant
-// does not have, is left out. Units stand in the headings; in 2D everything is per metre of depth.
+// does not have, is left out. Units stand in the headings; in 2D everything is per metre of depth. Round trips have "t
+// (trips)".
 #pragma once
 
 #include "app/encode/staging.h"

@@ -183,10 +183,14 @@ std::size_t Page::footer_lines() const {
 }
 
 std::string Page::time_text(double time) const {
-  const int decimals = frame_.duration > 0 && frame_.duration < 0.1 ? 4 : frame_.duration < 20 ? 3 : 2;
+  const std::string unit = time_unit(frame_);
+  const int decimals = unit != "s"                                    ? 0
+                       : frame_.duration > 0 && frame_.duration < 0.1 ? 4
+                       : frame_.duration < 20                         ? 3
+                                                                      : 2;
   std::array<char, 48> text{};
-  std::snprintf(text.data(), text.size(), "t = %.*f s", decimals, time);
-  return text.data();
+  std::snprintf(text.data(), text.size(), "t = %.*f ", decimals, time);
+  return text.data() + unit;
 }
 
 void Page::draw_under(gui::Ink& ink) const {
@@ -217,6 +221,7 @@ void Page::draw_header(gui::Ink& ink) const {
 std::string Page::caption(gui::Ink& ink, std::size_t i) const {
   const Snapshot& s = *frame_.panes[i].snapshot;
   if (s.steps == 0) return "start";
+  if (s.time_unit != "s") return grouped(s.steps) + " round " + (s.steps == 1 ? "trip" : "trips");
   float width = layout_.panes[i].caption.w;
   for (const PaneBox& p : layout_.panes) width = std::min(width, p.caption.w);
   const Prefix prefix = s.dt >= 1e-5 && s.dt < 1 ? Prefix{1e3, "m"} : si_prefix(s.dt);

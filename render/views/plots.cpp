@@ -141,11 +141,11 @@ Ticks time_ticks(const gui::Ink& ink, const Axes& axes) {
 }
 
 /// Every number is centred below its tick; the last one carries the unit.
-void draw_time_axis(gui::Ink& ink, const Axes& axes, const Palette& palette) {
+void draw_time_axis(gui::Ink& ink, const Axes& axes, const std::string& unit, const Palette& palette) {
   const Ticks ticks = time_ticks(ink, axes);
   for (const double tick : ticks.at) {
     const std::string text = tick_label(tick, ticks.step);
-    const std::string whole = text + (tick == ticks.at.back() ? " s" : "");
+    const std::string whole = text + (tick == ticks.at.back() ? " " + unit : "");
     const float x = axes.at(tick, 0).x - ink.fonts().width(gui::Type::small, text) / 2;
     ink.text({x, axes.area.bottom() + ink.pt(2), ink.fonts().width(gui::Type::small, whole) + 1, ink.pt(14)},
              gui::Type::small, palette.muted, whole);
@@ -153,11 +153,11 @@ void draw_time_axis(gui::Ink& ink, const Axes& axes, const Palette& palette) {
 }
 
 /// Pulls the right end of the axes in until the last number and its unit end in the box, or just outside.
-void make_room_for_unit(const gui::Ink& ink, const Rect& box, Axes& axes) {
+void make_room_for_unit(const gui::Ink& ink, const Rect& box, const std::string& unit, Axes& axes) {
   const Ticks ticks = time_ticks(ink, axes);
   const auto width = [&](const std::string& text) { return ink.fonts().width(gui::Type::small, text); };
   const std::string text = tick_label(ticks.at.back(), ticks.step);
-  const float end = axes.at(ticks.at.back(), 0).x - width(text) / 2 + width(text + " s") + 1;
+  const float end = axes.at(ticks.at.back(), 0).x - width(text) / 2 + width(text + " " + unit) + 1;
   const auto share = static_cast<float>((ticks.at.back() - axes.t.lo) / (axes.t.hi - axes.t.lo));
   const float most = box.right() + ink.pt(7); // half of the gap to the next plot
   if (end > most && share > 0) axes.area.w -= std::ceil((end - most) / share);
@@ -241,11 +241,11 @@ static void draw_plot(gui::Ink& ink, const Rect& box, const Plot& plot, const Va
   Axes axes{{box.x + gutter, box.y + title_h, box.w - gutter - ink.pt(4), box.h - title_h - time_h},
             {0, std::max({frame.duration, frame.time, 1e-9})},
             axis.range};
-  make_room_for_unit(ink, box, axes);
+  make_room_for_unit(ink, box, time_unit(frame), axes);
   ink.text({box.x, box.y, box.w, std::round(ink.pt(13))}, gui::Type::small, palette.text,
            heading(ink, plot, axis.prefix, box.w));
   draw_value_axis(ink, box, axes, axis, palette);
-  draw_time_axis(ink, axes, palette);
+  draw_time_axis(ink, axes, time_unit(frame), palette);
 
   const float now = std::round(axes.at(frame.time, 0).x) + ink.hair() / 2;
   ink.line({now, axes.area.y}, {now, axes.area.bottom()}, palette.muted.alpha(0.6), ink.hair());

@@ -165,6 +165,9 @@ template <class Archive> void fields(Archive& a, Snapshot& s, Parts& parts) {
   bool marked = !s.watermark.empty();
   a.optional("watermark", marked);
   if (marked) a.field("text", s.watermark);
+  bool counts = s.time_unit != "s";
+  a.optional("time_unit", counts);
+  if (counts) a.field("unit", s.time_unit);
 }
 
 using Require = std::function<void(bool, const std::string&)>;

@@ -68,8 +68,9 @@ struct Snapshot {
   // === When
   std::uint64_t frame = 0;
   double time = 0;
-  std::uint64_t steps = 0; ///< taken so far
-  double dt = 0;           ///< of the last step, seconds
+  std::string time_unit = "s"; ///< "trips" where round trips are counted
+  std::uint64_t steps = 0;     ///< taken so far
+  double dt = 0;               ///< of the last step, seconds
   int pressure_iterations = 0;
   double pressure_residual = 0;
 

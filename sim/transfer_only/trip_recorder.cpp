@@ -153,6 +153,7 @@ std::shared_ptr<const Snapshot> TripRecorder<Dim, Real>::snapshot(const TripStat
   s->notes = notes(state);
   s->frame = frame;
   s->time = state.time;
+  if (settings.time.dt == 1) s->time_unit = "trips";
   s->steps = state.steps;
   s->dt = state.steps > 0 ? settings.time.dt : 0;
   publish_domain(state.grid, state.walls, settings.seeding.per_axis, *s);

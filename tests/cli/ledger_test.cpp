@@ -148,6 +148,17 @@ TEST(LedgerFile, QuotesTitlesAndLeavesOutWhatIsNotDefined) {
   expect_sums_close(rows);
 }
 
+TEST(LedgerFile, CountsRoundTripsWhereThereIsNoTime) {
+  const Folder f;
+  for (const auto& [dt, unit] : {std::pair("1", "t (trips)"), std::pair("0.5", "t (s)")}) {
+    const Outcome o =
+        run(with({"render", "transfer_shear", "--ledger", "l.csv"}, {"--set", "time.dt=" + std::string(dt)}), f.path());
+    ASSERT_EQ(o.code, 0) << o.err;
+    EXPECT_EQ(parse_csv(read_file(f.path() / "l.csv"))[0][3], unit);
+    std::filesystem::remove(f.path() / "l.csv");
+  }
+}
+
 TEST(LedgerFile, NamesBothUnitsWhereTwoDimensionsMeet) {
   const Folder f;
   const Outcome o = run({"compare", "drop", "--schemes", "apic", "--vary", "dim=2,3", "--cells", "8", "--frames", "2",
