@@ -124,6 +124,7 @@ FluidLedger<Dim, Real>::FluidLedger(const FluidState<Dim, Real>& s, Pool& pool)
     origin_[d] += s.settings.ledger.origin[static_cast<std::size_t>(d)];
     periodic_[static_cast<std::size_t>(d)] = s.walls.periodic(d);
   }
+  confined_ = !s.solids.none() || std::find(periodic_.begin(), periodic_.end(), false) != periodic_.end();
   reach_ = origin_.cwiseAbs().cwiseMax((s.grid.size_m() - origin_).cwiseAbs()).norm();
   const Held held = on_particles(s, pool);
   std::copy(held.begin(), held.end(), start_.begin());
@@ -145,7 +146,8 @@ template <int Dim, class Real> void FluidLedger<Dim, Real>::book(Stage stage, co
   account_.book(static_cast<std::size_t>(stage), now);
   if (stage == Stage::free_faces) freed_ = change_;
   kinetic_most_ = std::max(kinetic_most_, held(kinetic));
-  came_[static_cast<std::size_t>(stage)] = true;
+  acted_[static_cast<std::size_t>(stage)] |=
+      std::any_of(change_.begin(), change_.end(), [](double c) { return c != 0; });
 }
 
 template <int Dim, class Real>
@@ -272,10 +274,17 @@ template <int Dim, class Real> double FluidLedger<Dim, Real>::take_divergence() 
 }
 
 template <int Dim, class Real> bool FluidLedger<Dim, Real>::can_have(Stage stage, const Settings& settings) const {
-  if (came_[static_cast<std::size_t>(stage)]) return true;
-  if (stage == Stage::second_half) return settings.time.splitting != Splitting::lie;
-  if (stage == Stage::spacing) return settings.fluid.spacing != 0;
-  return true;
+  if (acted_[static_cast<std::size_t>(stage)]) return true;
+  const auto& g = settings.fluid.gravity;
+  switch (stage) {
+  case Stage::forces: return std::any_of(g.begin(), g.begin() + Dim, [](double component) { return component != 0; });
+  case Stage::walls: return confined_;
+  case Stage::free_faces:
+  case Stage::extrapolation: return confined_ || settings.fluid.surface != Surface::full;
+  case Stage::second_half: return settings.time.splitting != Splitting::lie;
+  case Stage::spacing: return settings.fluid.spacing != 0;
+  default: return true;
+  }
 }
 
 template <int Dim, class Real> LedgerTable FluidLedger<Dim, Real>::publish(const Settings& settings) {

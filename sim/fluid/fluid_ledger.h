@@ -67,7 +67,8 @@ public:
   [[nodiscard]] bool spin_defined() const;
   /// Volume of the liquid when the run began (m^3; m^2 in 2D).
   [[nodiscard]] double start_volume() const { return start_volume_; }
-  /// Can this run have the stage?
+  /// Can the stage change anything in this run? (Nothing falls without gravity; where no side and no obstacle bounds a
+  /// liquid that fills the domain, walls have nothing to take and every face touches liquid.)
   [[nodiscard]] bool can_have(Stage stage, const Settings& settings) const;
   /// The largest |div u| dt of a liquid cell after a projection since the last call.
   [[nodiscard]] double take_divergence();
@@ -95,7 +96,8 @@ private:
 
   Vec<Dim, double> origin_;
   std::array<bool, static_cast<std::size_t>(Dim)> periodic_{};
-  double reach_; ///< how far the domain reaches from the origin (m)
+  bool confined_; ///< are there walls or obstacles?
+  double reach_;  ///< how far the domain reaches from the origin (m)
   double start_volume_;
   Numbers start_{};
   Numbers change_{}; ///< what was booked last
@@ -106,7 +108,7 @@ private:
   double given_ = 0, energy_in_ = 0;
   double dt_ = 0, divergence_ = 0;
   bool met_wall_ = false;
-  std::array<bool, stage_names.size()> came_{};
+  std::array<bool, stage_names.size()> acted_{}; ///< has ever changed anything
   Account account_;
 };
 

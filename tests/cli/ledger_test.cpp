@@ -159,6 +159,18 @@ TEST(LedgerFile, CountsRoundTripsWhereThereIsNoTime) {
   }
 }
 
+/// Nothing falls, no wall stands and no air is near: what remains has something to say.
+TEST(LedgerFile, LeavesOutStagesThatCanChangeNothing) {
+  const Folder f;
+  const Outcome o = run(with({"render", "taylor_green", "--ledger", "l.csv"}), f.path());
+  ASSERT_EQ(o.code, 0) << o.err;
+  const std::vector<Words> rows = parse_csv(read_file(f.path() / "l.csv"));
+  for (const char* stage : {"forces", "walls", "free_faces", "extrapolation"})
+    EXPECT_EQ(rows_of(rows, stage), 0U) << stage;
+  for (const char* stage : {"p2g", "projection", "g2p", "advection"}) EXPECT_EQ(rows_of(rows, stage), 3U) << stage;
+  expect_sums_close(rows);
+}
+
 TEST(LedgerFile, NamesBothUnitsWhereTwoDimensionsMeet) {
   const Folder f;
   const Outcome o = run({"compare", "drop", "--schemes", "apic", "--vary", "dim=2,3", "--cells", "8", "--frames", "2",
