@@ -42,6 +42,18 @@ double fitted_order(std::span<const double> cells, std::span<const double> error
   return -slope(x, y);
 }
 
+double self_order(std::span<const double, 3> cells, double first_change, double second_change) {
+  const double wanted = std::abs(first_change) / std::abs(second_change);
+  const auto ratio = [&](double p) {
+    const auto h = [&](std::size_t i) { return std::pow(cells[i] / cells[2], -p); };
+    return (h(0) - h(1)) / (h(1) - h(2)); // grows with p
+  };
+  double lo = 1e-6, hi = 8;
+  if (!(ratio(lo) <= wanted && wanted <= ratio(hi))) return std::nan("");
+  for (int i = 0; i < 60; ++i) (ratio((lo + hi) / 2) < wanted ? lo : hi) = (lo + hi) / 2;
+  return (lo + hi) / 2;
+}
+
 double interpolate(std::span<const double> x, std::span<const double> y, double at) {
   const auto above = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), at) - x.begin());
   if (above == 0) return y.front();

@@ -91,7 +91,7 @@ public:
 
   [[nodiscard]] ValidationReport run(const ValidationRequest& request, const Lab& lab) const override {
     ValidationReport report;
-    const auto sizes = chosen(request.cells, request.fast ? std::vector{96} : std::vector{64, 128});
+    const auto sizes = chosen(request.cells, request.fast ? std::vector{96} : std::vector{48, 64, 128});
     const auto schemes = chosen(request.schemes, {"pic", "flip:1", "apic", "polypic"});
     const double end = request.fast ? 4.5 : 6;
     std::vector<Setup> setups;
@@ -117,6 +117,12 @@ public:
                     gated ? std::optional(Gate{distance, side}) : std::nullopt});
         kept.push_back(spread(seeds, [](auto& c) { return c.enstrophy; }));
         report.add({title, "", sizes[k], 0.5, "enstrophy left at t = " + number_text(end), "", kept.back(), 1.0, {}});
+      }
+      if (sizes.size() > 1) {
+        std::vector<double> lost;
+        for (const Spread& k : kept) lost.push_back(1 - k.mean);
+        const double order = fitted_order(std::vector<double>(sizes.begin(), sizes.end()), lost);
+        report.add({title, "", 0, 0.5, "order of the lost enstrophy", "", spread(std::vector{order}), {}, {}});
       }
       const auto& finest = results[(s + 1) * sizes.size() - 1];
       std::vector<Spread> d;

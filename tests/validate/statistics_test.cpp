@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -50,6 +51,16 @@ TEST(Statistics, OrderIsTheSlopeInLogarithms) {
   error[2] = 0;
   EXPECT_TRUE(std::isnan(fitted_order(n, error)));
   EXPECT_TRUE(std::isnan(fitted_order({n.data(), 1}, {error.data(), 1})));
+}
+
+TEST(Statistics, OrderWithoutAnExactValueIsThatOfTheChanges) {
+  for (const double p : {0.5, 1.0, 2.0}) {
+    const std::array<double, 3> n{96, 192, 288};
+    const auto f = [&](std::size_t i) { return 3 - 7 * std::pow(n[i], -p); };
+    EXPECT_NEAR(self_order(n, f(0) - f(1), f(1) - f(2)), p, 1e-9);
+  }
+  EXPECT_TRUE(std::isnan(self_order(std::array<double, 3>{1, 2, 4}, 0.1, 0.2))) << "the changes grow";
+  EXPECT_TRUE(std::isnan(self_order(std::array<double, 3>{1, 2, 4}, std::nan(""), 0.2)));
 }
 
 TEST(Statistics, InterpolationIsThePolygon) {
