@@ -4,6 +4,7 @@
 #pragma once
 
 #include "sim/core/parallel.h"
+#include "sim/core/profile.h"
 #include "sim/files/particle_table.h"
 #include "sim/frame/snapshot.h"
 
@@ -42,6 +43,9 @@ public:
   [[nodiscard]] virtual std::shared_ptr<const Snapshot> snapshot(std::uint64_t frame, const FrameRequest& request) = 0;
   /// All that the particles hold, in the order of their ids and in world coordinates.
   [[nodiscard]] virtual ParticleTable particle_table() const = 0;
+  /// From now on this gets the time that each part takes; null: nobody does. A simulation that does not tell its parts
+  /// apart leaves all of it to whoever calls it.
+  virtual void profile(Profile*) {}
 };
 
 /// Throws UserError for settings that cannot be run, and with preset = "tutorial" for particles that the notes' program

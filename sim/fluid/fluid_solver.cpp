@@ -6,6 +6,7 @@
 #include "sim/fluid/spacing.h"
 #include "sim/transfer/transfer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -76,6 +77,7 @@ template <int Dim, class Real> void FluidSolver<Dim, Real>::step(double dt) {
   state_.last_dt = dt;
   ++state_.steps;
   check_finite();
+  const Timed timed(profile_, Phase::ledger);
   if (ledger_) ledger_->end_step(state_);
 }
 
@@ -139,15 +141,19 @@ template <int Dim, class Real> void FluidSolver<Dim, Real>::reflection(double dt
 template <int Dim, class Real>
 template <class Body>
 void FluidSolver<Dim, Real>::during(Stage stage, Body&& body, Gather gather) {
+  Timed timed(profile_, phase_of(stage));
   if (hook_) hook_->entered(stage, state_);
   body();
   if (hook_) hook_->leaving(stage, state_);
+  timed.turn(Phase::ledger);
   if (ledger_) ledger_->left(stage, state_, stage == Stage::second_half ? blend_ : state_.u, gather, pool_);
 }
 
 template <int Dim, class Real> void FluidSolver<Dim, Real>::find_liquid() {
   auto& s = state_;
+  Timed timed(profile_, Phase::sort);
   sort_by_cell(s.particles, s.grid, s.order, pool_);
+  timed.turn(Phase::level_set);
   const double radius = particle_radius<Dim>(s.grid.dx, s.settings.seeding.per_axis);
   level_set(s.grid, s.walls, s.particles, s.order, radius, s.phi, pool_);
   s.solids.extend(s.walls, s.phi);
@@ -203,6 +209,7 @@ template <int Dim, class Real> void FluidSolver<Dim, Real>::project(double dt, F
   during(Stage::projection, [&] {
     s.solve = projection_(s.grid, s.walls, s.cells, s.settings.pressure, s.settings.fluid.density, dt, s.u, p, pool_);
   });
+  count_solve();
   during(Stage::extrapolation, [&] {
     s.solids.carry_change(s.walls, s.cells, s.m, s.u, pool_);
     extrapolate_over_air(false, s.u);
@@ -215,6 +222,15 @@ template <int Dim, class Real> void FluidSolver<Dim, Real>::project(double dt, F
     s.solids.constrain(s.walls, s.u, pool_);
     s.walls.pad(s.u);
   });
+}
+
+template <int Dim, class Real> void FluidSolver<Dim, Real>::count_solve() const {
+  if (!profile_) return;
+  const Timed timed(profile_, Phase::outside);
+  ++profile_->solves;
+  profile_->iterations += static_cast<std::uint64_t>(state_.solve.iterations);
+  const auto& fluid = state_.cells.fluid;
+  profile_->cells += static_cast<std::uint64_t>(std::count(fluid.begin(), fluid.end(), 1));
 }
 
 /// The change of the grid a second time, and that of the particles that are not on it: blend = u_old + 2 (u - u_old).

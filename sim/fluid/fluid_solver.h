@@ -33,11 +33,13 @@ public:
   [[nodiscard]] std::string title() const override { return state_.settings.transfer.title(); }
   [[nodiscard]] std::size_t particles() const override { return state_.particles.size(); }
   [[nodiscard]] std::shared_ptr<const Snapshot> snapshot(std::uint64_t frame, const FrameRequest& request) override {
+    const Timed timed(profile_, Phase::snapshot);
     return recorder_.snapshot(state_, ledger_ ? &*ledger_ : nullptr, frame, request, pool_);
   }
   [[nodiscard]] ParticleTable particle_table() const override {
     return flipbook::particle_table(state_.particles, state_.settings.grid.origin);
   }
+  void profile(Profile* p) override { profile_ = projection_.profile = p; }
 
   [[nodiscard]] const FluidState<Dim, Real>& state() const { return state_; }
   /// None where ledger.on is false.
@@ -70,6 +72,7 @@ private:
   /// blend = a u + b other.
   void combine(Real a, Real b, const Components<Dim, Real>& other);
   void gather_affine_state();
+  void count_solve() const; ///< for the profile
   void check_finite() const;
 
   Pool& pool_;
@@ -83,6 +86,7 @@ private:
   std::optional<FluidLedger<Dim, Real>> ledger_;
   Recorder<Dim, Real> recorder_;
   std::unique_ptr<StageHook<Dim, Real>> hook_; ///< null in a normal run
+  Profile* profile_ = nullptr;                 ///< likewise
 };
 
 } // namespace flipbook

@@ -10,9 +10,11 @@ SolveReport Projection<Dim, Real>::solve_on_lattice(const Grid<Dim>& grid, const
                                                     const Cells<Dim, Real>& cells, const PressureSettings& settings,
                                                     double density, double dt, const Components<Dim, Real>& u,
                                                     Field<double>& p, Pool& pool) {
+  Timed timed(profile, Phase::pressure_setup);
   lattice_.assemble(grid, walls, cells, u, density, dt, pool);
   coloured_.resize(lattice_.level().board.half);
   lattice_.gather(grid, p, coloured_, pool);
+  timed.turn(Phase::pressure_solve);
   const SolveReport report = multigrid_.solve(lattice_, settings, progress, coloured_, pool);
   lattice_.scatter(grid, coloured_, p, pool);
   return report;
@@ -23,9 +25,11 @@ SolveReport Projection<Dim, Real>::solve_by_rows(const Grid<Dim>& grid, const Wa
                                                  const Cells<Dim, Real>& cells, const PressureSettings& settings,
                                                  double density, double dt, const Components<Dim, Real>& u,
                                                  Field<double>& p, Pool& pool) {
+  Timed timed(profile, Phase::pressure_setup);
   system_.assemble(grid, walls, cells, u, density, dt, pool);
   rows_.resize(system_.cell.size());
   for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i] = p[system_.cell[i]];
+  timed.turn(Phase::pressure_solve);
   const SolveReport report = settings.solver == PressureSolver::eigen ? solve_with_eigen(system_, settings, rows_)
                                                                       : cg_.solve(system_, settings, rows_, pool);
   std::fill(p.begin(), p.end(), 0.0);

@@ -4,6 +4,7 @@
 // on every open face of a liquid cell; p = 0 in air.
 #pragma once
 
+#include "sim/core/profile.h"
 #include "sim/fluid/multigrid_cg.h"
 #include "sim/fluid/pcg.h"
 
@@ -17,7 +18,8 @@ public:
                          const PressureSettings& settings, double density, double dt, Components<Dim, Real>& u,
                          Field<double>& p, Pool& pool);
 
-  Progress progress; ///< that multigrid must make
+  Progress progress;          ///< that multigrid must make
+  Profile* profile = nullptr; ///< tells the set-up from the solve; null in a normal run
 
 private:
   SolveReport solve_on_lattice(const Grid<Dim>& grid, const Walls<Dim, Real>& walls, const Cells<Dim, Real>& cells,

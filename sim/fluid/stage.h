@@ -2,6 +2,8 @@
 // The parts that a step of the fluid consists of, in their order: what the ledger keeps account of.
 #pragma once
 
+#include "sim/core/profile.h"
+
 #include <array>
 #include <cstddef>
 #include <string_view>
@@ -34,5 +36,22 @@ inline constexpr std::array<StageName, 10> stage_names{{{"p2g", "P2G"},
                                                         {"g2p", "G2P"},
                                                         {"advection", "advection"},
                                                         {"spacing", "spacing"}}};
+
+/// What a stage is to the profile.
+[[nodiscard]] constexpr Phase phase_of(Stage stage) {
+  switch (stage) {
+  case Stage::p2g: return Phase::p2g;
+  case Stage::free_faces:
+  case Stage::extrapolation: return Phase::extrapolate;
+  case Stage::forces:
+  case Stage::walls:
+  case Stage::second_half: return Phase::forces;
+  case Stage::projection: return Phase::pressure_solve; // which tells its set-up apart
+  case Stage::g2p: return Phase::g2p;
+  case Stage::advection:
+  case Stage::spacing: break;
+  }
+  return Phase::advect;
+}
 
 } // namespace flipbook

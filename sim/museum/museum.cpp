@@ -44,6 +44,7 @@ public:
   [[nodiscard]] std::size_t particles() const override { return stopped_ ? 0 : solver_->particles(); }
   [[nodiscard]] std::shared_ptr<const Snapshot> snapshot(std::uint64_t frame, const FrameRequest& request) override;
   [[nodiscard]] ParticleTable particle_table() const override;
+  void profile(Profile* p) override { solver_->profile(p); }
 
 private:
   bool advance(double dt);

@@ -29,6 +29,7 @@ public:
   [[nodiscard]] std::size_t particles() const override { return runs_->particles(); }
   [[nodiscard]] std::shared_ptr<const Snapshot> snapshot(std::uint64_t frame, const FrameRequest& request) override;
   [[nodiscard]] ParticleTable particle_table() const override { return runs_->particle_table(); }
+  void profile(Profile* p) override { runs_->profile(p); }
 
 private:
   Settings shown_; ///< with the notes' grid
