@@ -38,6 +38,10 @@ const std::array table = std::to_array<CommandEntry>({
      "96,192\n"
      "  flipbook validate --all -o out/validate",
      make_validate},
+    {"bench", "Measure how fast it is: named workloads, phase by phase",
+     "Examples:\n  flipbook bench W2\n  flipbook bench W3-64 --schemes apic --scaling --csv run.csv\n"
+     "  flipbook bench --compare before.csv after.csv",
+     make_bench},
     {"new", "Write a scene, a study or a scheme to start from",
      "Examples:\n  flipbook new scene splash\n  flipbook new study splash_study --scene splash.toml\n"
      "  flipbook new scheme mine",

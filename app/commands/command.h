@@ -82,6 +82,7 @@ std::unique_ptr<Command> make_validate();
 std::unique_ptr<Command> make_list();
 std::unique_ptr<Command> make_info();
 std::unique_ptr<Command> make_import();
+std::unique_ptr<Command> make_bench();
 std::unique_ptr<Command> make_new();
 std::unique_ptr<Command> make_completion();
 std::unique_ptr<Command> make_man();

@@ -72,6 +72,9 @@ void Driver::make_variants(Pool& pool) {
                                        : make_simulation(variant.scene, pool);
   });
   variants_ = std::make_unique<Stepper>(std::move(simulations), lockstep, pool);
+  if (!profiles_) return;
+  profiles_->resize(variants_->size());
+  for (std::size_t i = 0; i < variants_->size(); ++i) (*variants_)[i].profile(&(*profiles_)[i]);
 }
 
 void Driver::apply_commands(std::uint64_t frame) {

@@ -33,6 +33,8 @@ public:
   Driver(const Resolved& resolved, const Schedule& schedule, Budget& budget, Exchange<Bundle>& out,
          std::function<bool()> stop, SeriesWriter* particles, LedgerFile* ledger);
 
+  /// Where each variant's time goes, from its making on.
+  void profile(std::vector<Profile>& variants) { profiles_ = &variants; }
   /// The whole run, on the calling thread; closes the exchange at the end.
   void drive();
   [[nodiscard]] std::uint64_t particle_steps() const { return particle_steps_; }
@@ -55,6 +57,7 @@ private:
   LedgerFile* ledger_;
   std::unique_ptr<Stepper> variants_;
   std::size_t next_command_ = 0;
+  std::vector<Profile>* profiles_ = nullptr; ///< null in a normal run
   std::atomic<std::uint64_t> particle_steps_{0};
 };
 

@@ -58,7 +58,8 @@ public:
         driver_(
             resolved, schedule, budget_, exchange_, [this] { return must_stop(); }, particles_.get(), ledger_.get()) {
     for (auto& sink : outputs.pictures)
-      sinks_.push_back(std::make_unique<SinkThread>(std::move(sink), budget_, failure_));
+      sinks_.push_back(std::make_unique<SinkThread>(std::move(sink), budget_, failure_, options.profile != nullptr));
+    if (options.profile) driver_.profile(options.profile->variants);
     // llvmpipe would start threads of its own, outside the budget.
     render::set_draw_threads(1);
     catch_signals();
@@ -67,6 +68,8 @@ public:
   Summary run() {
     sinks_.empty() ? draw_none() : draw_all();
     for (auto& s : sinks_) s->drain();
+    if (options_.profile)
+      for (const auto& s : sinks_) options_.profile->encode += s->profile();
     summary_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     must_stop(); // a signal may have come during the last frames
     failure_.rethrow();
@@ -133,6 +136,7 @@ private:
       picture->provenance.variants += (&pane == frame.panes.data() ? "" : "\n") + pane.title;
     {
       const Budget::Permit permit(budget_, true);
+      const Timed drawing(options_.profile ? &options_.profile->draw : nullptr, Phase::draw);
       picture->image = renderer.draw(frame, resolved_.timeline.view(bundle.stop.time, resolved_.view));
     }
     for (auto& s : sinks_) s->put(picture);

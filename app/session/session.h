@@ -14,6 +14,7 @@
 #include "app/session/schedule.h"
 #include "app/study/resolve.h"
 #include "render/context/context.h"
+#include "sim/core/profile.h"
 
 #include <cstdint>
 #include <memory>
@@ -22,10 +23,18 @@
 
 namespace flipbook::app {
 
+/// Where the time of a run goes: of each variant, of the drawing thread and of all sinks' threads together. They run
+/// side by side, so that their seconds do not add up to those of the run.
+struct SessionProfile {
+  std::vector<Profile> variants;
+  Profile draw, encode;
+};
+
 struct SessionOptions {
   int threads = 0; ///< 0: as many as the machine has
   render::Backend gl = render::Backend::automatic;
   bool quiet = false;
+  SessionProfile* profile = nullptr; ///< null in a normal run
 };
 
 /// Where everything goes; made before the first step.

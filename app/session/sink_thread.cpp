@@ -13,8 +13,9 @@ constexpr std::size_t queue_bytes = 32U << 20U; // a few frames of 1280x720; one
 
 } // namespace
 
-SinkThread::SinkThread(std::unique_ptr<Sink> sink, Budget& budget, Failure& failure)
-    : sink_(std::move(sink)), budget_(budget), failure_(failure), queue_(queue_bytes), thread_([this] { work(); }) {}
+SinkThread::SinkThread(std::unique_ptr<Sink> sink, Budget& budget, Failure& failure, bool timed)
+    : sink_(std::move(sink)), budget_(budget), failure_(failure), timed_(timed), queue_(queue_bytes),
+      thread_([this] { work(); }) {}
 
 SinkThread::~SinkThread() {
   queue_.close();
@@ -37,8 +38,10 @@ void SinkThread::work() {
       if (failure_.failed()) return;
       std::optional<Budget::Permit> permit;
       if (sink_->computes()) permit.emplace(budget_, true);
+      const Timed writing(timed_ ? &profile_ : nullptr, Phase::encode);
       sink_->write(**picture);
     }
+    const Timed ending(timed_ ? &profile_ : nullptr, Phase::encode);
     if (!failure_.failed()) sink_->finish();
   } catch (...) {
     failure_.report(std::current_exception());

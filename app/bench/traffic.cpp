@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "app/bench/traffic.h"
+
+namespace flipbook::app {
+
+double phase_bytes(Phase phase, const Settings& settings, const Work& w) {
+  const Corner corner = settings.transfer.corner();
+  const double N = w.particles, S = w.samples, F = w.liquid, D = settings.dim;
+  const double R = settings.precision == Precision::single ? sizeof(float) : sizeof(double);
+  const double A = settings.dim == 2 ? affine_size<2>(corner.mode) : affine_size<3>(corner.mode);
+  const double f = corner.flip_ratio > 0 ? 1 : 0;
+  const double k = 1 + static_cast<int>(settings.time.advection);
+  switch (phase) {
+  case Phase::sort: return 2 * N * (R * (2 * D + 1 + A) + 4) + 4 * S;
+  case Phase::level_set: return N * D * R + S * (R + 1 + D * R);
+  case Phase::p2g: return N * R * (2 * D + 1 + A) + 2 * S * D * R;
+  case Phase::extrapolate: return 4 * S * D * R;
+  case Phase::forces: return 2 * S * D * R;
+  case Phase::pressure_setup: return 2 * S * D * R + F * (8 + R * (D + 1));
+  case Phase::pressure_solve: return w.iterations * F * (104 + 2 * R * (D + 1)) + 2 * S * D * R;
+  case Phase::g2p: return N * R * (2 * D + f * D + A) + (1 + f) * S * D * R;
+  case Phase::advect: return k * (2 * N * D * R + S * D * R);
+  case Phase::snapshot: return w.snapshots * N * (2 * D * R + 4 + 8 * D + 8);
+  default: return 0;
+  }
+}
+
+} // namespace flipbook::app
