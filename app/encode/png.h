@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// PNG pictures with text inside. Pixels go through stb_image_write with libdeflate as its compressor; the text is
-// spliced in as iTXt chunks (UTF-8, uncompressed, so that any tool shows it).
+// PNG pictures with text inside. Pixels go through libdeflate without a filter; the text stands before them in iTXt
+// chunks (UTF-8, uncompressed, so that any tool shows it).
 #pragma once
 
 #include "app/encode/provenance.h"

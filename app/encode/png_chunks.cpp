@@ -17,11 +17,14 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::array<std::uint8_t, 8> signature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-constexpr std::size_t header_end = 8 + 12 + 13; // signature and IHDR
 constexpr std::uint32_t largest_text = 16u << 20;
 
 void append_u32(Bytes& to, std::uint32_t x) {
   for (int shift = 24; shift >= 0; shift -= 8) to.push_back(static_cast<std::uint8_t>(x >> shift));
+}
+
+std::string_view text_of(std::span<const std::uint8_t> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 std::uint32_t read_u32(const char* p) {
@@ -58,9 +61,15 @@ void take_text(std::string_view type, std::string_view data, TextEntries& found)
 
 } // namespace
 
-Bytes insert_text(std::span<const std::uint8_t> png, const TextEntries& text) {
-  Bytes out(png.begin(), png.begin() + header_end);
-  out.reserve(png.size() + 4096);
+Bytes png_file(int width, int height, std::span<const std::uint8_t> pixels, const TextEntries& text) {
+  Bytes out(signature.begin(), signature.end());
+  out.reserve(pixels.size() + 4096);
+  Bytes header;
+  append_u32(header, static_cast<std::uint32_t>(width));
+  append_u32(header, static_cast<std::uint32_t>(height));
+  constexpr std::array<std::uint8_t, 5> format{8, 2, 0, 0, 0}; // bits; RGB; deflate; filters; not interlaced
+  header.insert(header.end(), format.begin(), format.end());
+  append_chunk(out, "IHDR", text_of(header));
   append_chunk(out, "sRGB", std::string_view("\0", 1));
   for (const auto& [key, value] : text) {
     std::string data = key;
@@ -68,7 +77,8 @@ Bytes insert_text(std::span<const std::uint8_t> png, const TextEntries& text) {
     data += value;
     append_chunk(out, "iTXt", data);
   }
-  out.insert(out.end(), png.begin() + header_end, png.end());
+  append_chunk(out, "IDAT", text_of(pixels));
+  append_chunk(out, "IEND", {});
   return out;
 }
 

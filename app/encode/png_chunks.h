@@ -10,7 +10,9 @@
 
 namespace flipbook::app {
 
-/// The PNG with an sRGB chunk and the entries as iTXt chunks behind its header.
-[[nodiscard]] std::vector<std::uint8_t> insert_text(std::span<const std::uint8_t> png, const TextEntries& text);
+/// A PNG of 8 bits each of RGB around its compressed rows, with an sRGB chunk and the entries as iTXt chunks behind the
+/// header.
+[[nodiscard]] std::vector<std::uint8_t> png_file(int width, int height, std::span<const std::uint8_t> pixels,
+                                                 const TextEntries& text);
 
 } // namespace flipbook::app
