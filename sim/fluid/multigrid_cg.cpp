@@ -115,7 +115,7 @@ double MultigridCg<Dim, Real>::rounding(Lattice& lattice, const Coloured<double>
 
 template <int Dim, class Real>
 SolveReport MultigridCg<Dim, Real>::solve(Lattice& lattice, const PressureSettings& settings, const Progress& progress,
-                                          Coloured<double>& p, Pool& pool) {
+                                          Coloured<double>& p, Pool& pool, Profile* profile) {
   PressureLevel<Dim>& level = lattice.level();
   norm_b_ = std::sqrt(dot(level, lattice.b, lattice.b, pool));
   if (norm_b_ == 0) {
@@ -131,7 +131,10 @@ SolveReport MultigridCg<Dim, Real>::solve(Lattice& lattice, const PressureSettin
   }
   if (report.residual <= settings.tolerance) return report;
 
-  lattice.multigrid().coarsen(pool);
+  {
+    const Timed timed(profile, Phase::pressure_setup);
+    lattice.multigrid().coarsen(pool);
+  }
   s_.resize(level.board.half);
   s_.clear(pool);
   sigma_ = 0;

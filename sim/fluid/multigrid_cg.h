@@ -6,6 +6,7 @@
 // A double run therefore reaches 1e-13 with the same single-precision cycle as a single run reaches 1e-6.
 #pragma once
 
+#include "sim/core/profile.h"
 #include "sim/fluid/pressure_lattice.h"
 #include "sim/fluid/solve_report.h"
 
@@ -22,9 +23,9 @@ struct Progress {
 template <int Dim, class Real> class MultigridCg {
 public:
   /// Improves p, the first guess, until the residual is below the tolerance, or gives up with `stalled`. A right-hand
-  /// side of zero gives p = 0 at once.
+  /// side of zero gives p = 0 at once. The profile is told when the coarse levels are made.
   SolveReport solve(PressureLattice<Dim, Real>& lattice, const PressureSettings& settings, const Progress& progress,
-                    Coloured<double>& p, Pool& pool);
+                    Coloured<double>& p, Pool& pool, Profile* profile = nullptr);
 
 private:
   using Lattice = PressureLattice<Dim, Real>;

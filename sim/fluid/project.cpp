@@ -15,7 +15,7 @@ SolveReport Projection<Dim, Real>::solve_on_lattice(const Grid<Dim>& grid, const
   coloured_.resize(lattice_.level().board.half);
   lattice_.gather(grid, p, coloured_, pool);
   timed.turn(Phase::pressure_solve);
-  const SolveReport report = multigrid_.solve(lattice_, settings, progress, coloured_, pool);
+  const SolveReport report = multigrid_.solve(lattice_, settings, progress, coloured_, pool, profile);
   lattice_.scatter(grid, coloured_, p, pool);
   return report;
 }
