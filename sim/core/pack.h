@@ -63,4 +63,27 @@ template <class T> [[nodiscard]] inline T load(const NumberOf<T>* p, std::size_t
     return many >= lanes_of<T> ? T::load_unaligned(p) : detail::load_some<T>(p, many);
 }
 
+/// The same in double, whatever the numbers are.
+template <class Real> [[nodiscard]] inline Pack<double> load_in_double(const Real* p, std::size_t many) {
+  if constexpr (std::is_same_v<Real, double>) {
+    return load<Pack<double>>(p, many);
+  } else {
+    std::array<double, lanes_of<Pack<double>>> copy;
+    if (many >= copy.size())
+      for (std::size_t l = 0; l < copy.size(); ++l) copy[l] = static_cast<double>(p[l]);
+    else
+      for (std::size_t l = 0; l < copy.size(); ++l) copy[l] = static_cast<double>(p[l < many ? l : 0]);
+    return Pack<double>::load_unaligned(copy.data());
+  }
+}
+
+/// The lanes added up, one after the other.
+template <class Real> [[nodiscard]] inline Real sum_of(const xsimd::batch<Real>& x) {
+  std::array<Real, lanes_of<Pack<Real>>> number;
+  x.store_unaligned(number.data());
+  Real sum = 0;
+  for (const Real n : number) sum += n;
+  return sum;
+}
+
 } // namespace flipbook

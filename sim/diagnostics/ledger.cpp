@@ -2,6 +2,7 @@
 #include "sim/diagnostics/ledger.h"
 
 #include "sim/core/cross.h"
+#include "sim/core/pack.h"
 #include "sim/transfer/modes.h"
 #include "sim/transfer/sweep.h"
 
@@ -29,118 +30,161 @@ template <int N, class Body> void unrolled(Body&& body) {
   (std::make_integer_sequence<int, N>{});
 }
 
-/// Totals of a run of particles: each one's share by its mass, as columns, then their sums.
-template <class Mode, class K, int Dim, class Real> struct ParticleSums {
-  static constexpr std::size_t batch = 64;
+/// Totals of particles, a pack in double at a time.
+template <class Mode, class K, int Dim, class Real> class ParticleSums {
+public:
   static constexpr std::size_t columns = std::tuple_size_v<decltype(Mode::state)>;
-  using Column = std::array<double, batch>;
-  using Moments = std::array<double, Dim>;
+  using T = Pack<double>;
+  static constexpr std::size_t lanes = lanes_of<T>;
 
-  Walk<Dim, Real> walk;
-  double dx;
-  Vec<Dim, double> origin;
-  std::array<const Real*, Dim> x, v;
-  std::array<const Real*, columns> A;
-  const Real* mass;
+  ParticleSums(Layout layout, const Grid<Dim>& grid, const Vec<Dim, double>& origin,
+               const Particles<Dim, Real>& particles, const std::uint8_t* only)
+      : walk_(grid, layout), dx_squared_(grid.dx * grid.dx), origin_(origin), x_(pointers<Dim>(particles.x)),
+        v_(pointers<Dim>(particles.v)), A_(pointers<columns>(particles.A)), mass_(particles.m.data()), only_(only) {}
 
-  /// At most `batch` particles.
-  void add(std::size_t begin, std::size_t n, Totals<Dim>& sum) const {
-    std::array<Column, spin<Dim>> angular;
-    Column energy;
-    for (std::size_t l = 0; l < n; ++l) {
-      Shares share;
-      add_motion(begin + l, share);
-      if constexpr (Mode::mode != AffineMode::none) add_affine(begin + l, share);
-      energy[l] = share.twice_energy / 2;
-      unrolled<spin<Dim>>([&]<int c>() { angular[c][l] = share.angular[c]; });
+  /// The particles [begin, end); of them only those that are marked, where there are marks.
+  [[nodiscard]] Totals<Dim> operator()(std::size_t begin, std::size_t end) const {
+    Sums sums;
+    for (std::size_t p = begin; p < end; p += lanes) {
+      const std::size_t many = std::min(lanes, end - p);
+      if (only_ && std::none_of(only_ + p, only_ + p + many, [](std::uint8_t mark) { return mark != 0; })) continue;
+      add(p, many, sums);
     }
-    sum.mass += weighted(begin, n, [](std::size_t) { return 1.0; });
-    unrolled<Dim>([&]<int a>() {
-      sum.momentum[a] += weighted(begin, n, [&](std::size_t l) { return number(v[a], begin + l); });
-      sum.first_moment[a] += weighted(begin, n, [&](std::size_t l) { return number(x[a], begin + l); });
-    });
-    unrolled<spin<Dim>>(
-        [&]<int c>() { sum.angular_momentum[c] += weighted(begin, n, [&](std::size_t l) { return angular[c][l]; }); });
-    sum.kinetic_energy += weighted(begin, n, [&](std::size_t l) { return energy[l]; });
+    return sums.totals();
   }
 
 private:
-  struct Shares {
-    std::array<double, spin<Dim>> angular{};
-    double twice_energy = 0;
-  };
-  static double number(const Real* column, std::size_t p) { return static_cast<double>(column[p]); }
+  using Moments = std::array<T, Dim>;
+  struct Sums {
+    T mass = T(0), energy = T(0); ///< twice the energy
+    Moments momentum, first_moment;
+    std::array<T, spin<Dim>> angular;
 
-  void add_motion(std::size_t p, Shares& share) const {
-    Moments arm, u;
+    Sums() {
+      momentum.fill(T(0));
+      first_moment.fill(T(0));
+      angular.fill(T(0));
+    }
+    [[nodiscard]] Totals<Dim> totals() const {
+      Totals<Dim> t;
+      t.mass = sum_of(mass);
+      t.kinetic_energy = sum_of(energy) / 2;
+      unrolled<Dim>([&]<int a>() {
+        t.momentum[a] = sum_of(momentum[a]);
+        t.first_moment[a] = sum_of(first_moment[a]);
+      });
+      unrolled<spin<Dim>>([&]<int c>() { t.angular_momentum[c] = sum_of(angular[c]); });
+      return t;
+    }
+  };
+  struct Shares { ///< of a unit of mass
+    std::array<T, spin<Dim>> angular;
+    T energy = T(0);
+  };
+
+  void add(std::size_t p, std::size_t many, Sums& sums) const {
+    const auto read = [&](const Real* column) { return load_in_double(column + p, many); };
+    T m = read(mass_);
+    if (many < lanes || only_) m = m * counted(p, many);
+    Shares share;
+    share.angular.fill(T(0));
+    Moments x, v;
     unrolled<Dim>([&]<int d>() {
-      arm[d] = number(x[d], p) - origin[d];
-      u[d] = number(v[d], p);
-      share.twice_energy += u[d] * u[d];
+      x[d] = read(x_[d]);
+      v[d] = read(v_[d]);
+      share.energy += v[d] * v[d];
+      sums.momentum[d] += m * v[d];
+      sums.first_moment[d] += m * x[d];
     });
     unrolled<Dim>([&]<int d>() {
+      const T arm = x[d] - T(origin_[d]);
       unrolled<Dim>([&]<int a>() {
-        if constexpr (a != d) share.angular[cross_axis<Dim>(d, a)] += cross_sign<Dim>(d, a) * (arm[d] * u[a]);
+        if constexpr (a != d) book<d, a>(arm * v[a], share);
       });
     });
+    if constexpr (Mode::mode != AffineMode::none) add_affine(p, many, share);
+    sums.mass += m;
+    sums.energy += m * share.energy;
+    unrolled<spin<Dim>>([&]<int c>() { sums.angular[c] += m * share.angular[c]; });
+  }
+
+  /// The part of e_d x e_a.
+  template <int d, int a> static void book(const T& part, Shares& share) {
+    T& sum = share.angular[static_cast<std::size_t>(cross_axis<Dim>(d, a))];
+    sum = cross_sign<Dim>(d, a) > 0 ? sum + part : sum - part;
+  }
+
+  /// 1 in the lanes that count, 0 in the others.
+  [[nodiscard]] T counted(std::size_t p, std::size_t many) const {
+    std::array<double, lanes> one{};
+    for (std::size_t l = 0; l < many; ++l) one[l] = !only_ || only_[p + l] ? 1 : 0;
+    return T::load_unaligned(one.data());
   }
 
   /// What the affine modes add; momentum they have none. Products of axes carry energy only.
-  void add_affine(std::size_t p, Shares& share) const {
+  void add_affine(std::size_t p, std::size_t many, Shares& share) const {
     Moments own, other; // D on axis d, of component d and of the others, as in stencil.h
     unrolled<Dim>([&]<int d>() {
-      const Real q = grid_position(x[d][p], walk.inverse_dx);
-      own[d] = second_moment(q);
-      other[d] = second_moment(q - walk.offset);
+      own[d] = second_moment(x_[d] + p, many, Real(0));
+      other[d] = second_moment(x_[d] + p, many, walk_.offset);
     });
     unrolled<Dim>([&]<int a>() {
       unrolled<Dim>([&]<int d>() {
         if constexpr (Mode::mode == AffineMode::rigid && a == d) return;
-        const double g = slope<a, d>(p), Dg = (a == d ? own : other)[d] * g;
-        share.twice_energy += Dg * g;
-        if constexpr (a != d) share.angular[cross_axis<Dim>(d, a)] += cross_sign<Dim>(d, a) * Dg;
+        const T g = slope<a, d>(p, many), Dg = (a == d ? own : other)[d] * g;
+        share.energy += Dg * g;
+        if constexpr (a != d) book<d, a>(Dg, share);
       });
-      if constexpr (Mode::mode == AffineMode::polynomial) add_products<a>(p, own, other, share);
+      if constexpr (Mode::mode == AffineMode::polynomial) add_products<a>(p, many, own, other, share);
     });
   }
 
-  template <int a> void add_products(std::size_t p, const Moments& own, const Moments& other, Shares& share) const {
+  template <int a>
+  void add_products(std::size_t p, std::size_t many, const Moments& own, const Moments& other, Shares& share) const {
     unrolled<(1 << Dim)>([&]<int s>() {
       if constexpr ((s & (s - 1)) != 0) {
-        const double c = number(A[static_cast<std::size_t>(a * ((1 << Dim) - 1) + s - 1)], p);
-        double product = c * c;
+        const T c = load_in_double(A_[static_cast<std::size_t>(a * ((1 << Dim) - 1) + s - 1)] + p, many);
+        T product = c * c;
         unrolled<Dim>([&]<int d>() {
           if constexpr ((s >> d & 1) != 0) product *= (a == d ? own : other)[d];
         });
-        share.twice_energy += product;
+        share.energy += product;
       }
     });
   }
 
   /// Mode::slope(a, d).
-  template <int a, int d> [[nodiscard]] double slope(std::size_t p) const {
+  template <int a, int d> [[nodiscard]] T slope(std::size_t p, std::size_t many) const {
+    const auto read = [&](int column) { return load_in_double(A_[static_cast<std::size_t>(column)] + p, many); };
     if constexpr (Mode::mode == AffineMode::rigid)
-      return cross_sign<Dim>(d, a) * number(A[static_cast<std::size_t>(cross_axis<Dim>(d, a))], p);
+      return cross_sign<Dim>(d, a) > 0 ? read(cross_axis<Dim>(d, a)) : -read(cross_axis<Dim>(d, a));
     else if constexpr (Mode::mode == AffineMode::full)
-      return number(A[static_cast<std::size_t>(a * Dim + d)], p);
+      return read(a * Dim + d);
     else
-      return number(A[static_cast<std::size_t>(a * ((1 << Dim) - 1) + (1 << d) - 1)], p);
+      return read(a * ((1 << Dim) - 1) + (1 << d) - 1);
   }
 
-  /// D at q of a lattice with origin 0, m^2; the fraction is the one that the transfers round to.
-  [[nodiscard]] double second_moment(Real q) const {
-    return dx * dx * K::second_moment(static_cast<double>(q - K::base(q)));
+  /// D on an axis of a lattice with this origin, m^2; the fraction is the one that the transfers round to.
+  [[nodiscard]] T second_moment(const Real* x, std::size_t many, Real offset) const {
+    T at;
+    if constexpr (std::is_same_v<Real, double>) {
+      at = grid_position(load_in_double(x, many), walk_.inverse_dx) - T(offset);
+    } else {
+      std::array<double, lanes> q;
+      for (std::size_t l = 0; l < lanes; ++l)
+        q[l] = static_cast<double>(grid_position(x[l < many ? l : 0], walk_.inverse_dx) - offset);
+      at = T::load_unaligned(q.data());
+    }
+    return T(dx_squared_) * K::second_moment(at - K::base(at));
   }
 
-  /// sum m value.
-  template <class Value> [[nodiscard]] double weighted(std::size_t begin, std::size_t n, Value&& value) const {
-    Lanes s;
-    std::size_t l = 0;
-    for (; l + Lanes::count <= n; l += Lanes::count)
-      for (std::size_t k = 0; k < Lanes::count; ++k) s.sum[k] += number(mass, begin + l + k) * value(l + k);
-    for (; l < n; ++l) s.sum[0] += number(mass, begin + l) * value(l);
-    return s.total();
-  }
+  Walk<Dim, Real> walk_;
+  double dx_squared_;
+  Vec<Dim, double> origin_;
+  std::array<const Real*, Dim> x_, v_;
+  std::array<const Real*, columns> A_;
+  const Real* mass_;
+  const std::uint8_t* only_; ///< null: all
 };
 
 } // namespace
@@ -158,29 +202,13 @@ template <int Dim, class Real>
 Totals<Dim> particle_totals(KernelName kernel, Layout layout, const Grid<Dim>& grid,
                             const Particles<Dim, Real>& particles, const Vec<Dim, double>& origin, Pool& pool,
                             const std::vector<std::uint8_t>* only) {
-  const auto range = [&](auto mode, auto k, std::size_t begin, std::size_t end) {
-    using Mode = decltype(mode);
-    using Sums = ParticleSums<Mode, decltype(k), Dim, Real>;
-    const Sums sums{{grid, layout},
-                    grid.dx,
-                    origin,
-                    pointers<Dim>(particles.x),
-                    pointers<Dim>(particles.v),
-                    pointers<std::tuple_size_v<decltype(Mode::state)>>(particles.A),
-                    particles.m.data()};
-    Totals<Dim> sum;
-    if (!only)
-      for (std::size_t p = begin; p < end; p += Sums::batch) sums.add(p, std::min(Sums::batch, end - p), sum);
-    else
-      for (std::size_t p = begin; p < end; ++p)
-        if ((*only)[p]) sums.add(p, 1, sum);
-    return sum;
-  };
   return with_mode<Dim, Real>(particles.mode, [&](auto mode) {
     return with_kernel(kernel, [&](auto k) {
+      const ParticleSums<decltype(mode), decltype(k), Dim, Real> sums(layout, grid, origin, particles,
+                                                                      only ? only->data() : nullptr);
       return pool.sum(static_cast<std::int64_t>(particles.size()), particles_per_chunk, Totals<Dim>(),
                       [&](std::int64_t begin, std::int64_t end) {
-                        return range(mode, k, static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
+                        return sums(static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
                       });
     });
   });
