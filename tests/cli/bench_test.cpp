@@ -142,9 +142,9 @@ TEST(BenchReport, MedianAndTable) {
   for (const double x : {1.0, 2.0, 4.0}) r.add("P2G", "wall", "ms", x);
   r.add("G2P", "wall", "ms", 8);
   EXPECT_EQ(app::table_of(r), "W  case  (about)\n"
-                              "  part   wall ms   +-%\n"
-                              "  P2G          2  75.0\n"
-                              "  G2P          8     0\n");
+                              "  part  wall ms   +-%\n"
+                              "  P2G         2  75.0\n"
+                              "  G2P         8     0\n");
 }
 
 TEST(BenchReport, CsvReadsBackAndComparesByWhatWasMeasured) {
