@@ -49,9 +49,7 @@ double measure_bandwidth(Pool& pool, bool small) {
 
 constexpr int chains = 12; ///< of vectors: more than the latency of a multiply-add times the units
 
-template <int Width> struct Wide {
-  typedef float Vector __attribute__((vector_size(Width * sizeof(float))));
-};
+template <int Width> struct Wide { typedef float Vector __attribute__((vector_size(Width * sizeof(float)))); };
 
 /// The same loop for every width. What it returns depends on all chains, so that none is left out.
 template <int Width> [[gnu::always_inline]] inline float run_chains(int rounds, float s, float t) {

@@ -84,8 +84,9 @@ std::vector<BenchRow> rows_of(const CaseResult& result, int threads) {
   static const std::string machine = machine_name();
   std::vector<BenchRow> rows;
   for (const Measurement& m : result.measurements)
-    rows.push_back({machine, version() + " " + std::string(instruction_set()), threads, result.workload, result.name, m.part, m.quantity,
-                    m.unit, static_cast<int>(m.values.size()), median(m.values), least(m), most(m)});
+    rows.push_back({machine, version() + " " + std::string(instruction_set()), threads, result.workload, result.name,
+                    m.part, m.quantity, m.unit, static_cast<int>(m.values.size()), median(m.values), least(m),
+                    most(m)});
   return rows;
 }
 

@@ -8,7 +8,7 @@ namespace flipbook::app {
 
 std::span<const Workload> workloads() {
   static const std::array all = std::to_array<Workload>({
-      {"W2", "2D dam break, 128x128 cells, 20,968 particles, 120 frames", run_dam_2d},
+      {"W2", "2D dam break, 128x128 cells, about 21,000 particles, 120 frames", run_dam_2d},
       {"W3-64", "3D dam break, 64x64x64 cells, about 0.67 million particles", run_dam_3d},
       {"W3-128", "3D dam break, 128x128x128 cells, about 5.4 million particles", run_dam_3d},
       {"T", "The size of the fluid notes' input: 25x50x25 cells, about 33,400 particles", run_tutorial},
