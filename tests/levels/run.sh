@@ -8,7 +8,10 @@ shift 2
 
 # AVX and later: every mnemonic with a v before an operand in a vector register, and BMI2's.
 avx='^[^;<]*\s(v[a-z0-9]+\s[^<]*%[xyz]mm|(mulx|pdep|pext|rorx|sarx|shlx|shrx|andn)[lq]?\s)'
-lines() { "$objdump" -d --no-show-raw-insn "$1" | grep -cE "$avx" || true; }
+# The loops by which `flipbook bench` finds the peak of the processor ask it first what it has.
+lines() {
+  "$objdump" -d --no-show-raw-insn "$1" | awk '/^[0-9a-f]+ <.*>:$/ {asks = /avx(2|512)_chains/} !asks' | grep -cE "$avx" || true
+}
 
 rc=0
 for f in "$build/flipbook" "$build"/lib/*.so; do
