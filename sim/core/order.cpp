@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::int64_t max_chunks = 32;
 constexpr std::int64_t min_chunk = 1 << 12;
-constexpr std::int64_t cells_per_range = 1 << 13;
+constexpr std::uint32_t cells_per_range = 1 << 13;
 constexpr std::int64_t moves_per_chunk = 1 << 14;
 
 /// Particles per chunk: of the number of particles only, so that the same chunks are cut for any number of threads.
@@ -19,64 +19,67 @@ std::int64_t chunk_size(std::int64_t count) {
 
 /// The cell of each particle, and how many of each chunk are in each cell.
 template <int Dim, class Real>
-void count_cells(const Particles<Dim, Real>& particles, const Grid<Dim>& grid, typename CellOrder<Dim>::Scratch& s,
-                 Pool& pool) {
+void count_cells(const Particles<Dim, Real>& particles, const Grid<Dim>& grid, CellOrder<Dim>& order, Pool& pool) {
+  auto& s = order.scratch;
   const auto count = static_cast<std::int64_t>(particles.size());
   const std::int64_t grain = chunk_size(count);
   s.cell.resize(particles.size());
   s.chunks.resize(static_cast<std::size_t>((count + grain - 1) / grain));
   pool.ranges(count, grain, [&](std::int64_t begin, std::int64_t end) {
+    constexpr std::uint32_t per_block = BlockedCells<Dim>::per_block;
     auto& chunk = s.chunks[static_cast<std::size_t>(begin / grain)];
-    std::uint32_t highest = 0;
-    chunk.lowest = static_cast<std::uint32_t>(grid.size());
+    chunk.slot.assign(order.cells.blocks(), chunk.none);
+    chunk.count.clear();
     for (auto p = static_cast<std::size_t>(begin); p < static_cast<std::size_t>(end); ++p) {
-      const auto cell = static_cast<std::uint32_t>(grid.at(cell_of(grid, particles.position(p))));
+      const std::uint32_t cell = order.cells.number(cell_of(grid, particles.position(p)));
       s.cell[p] = cell;
-      chunk.lowest = std::min(chunk.lowest, cell);
-      highest = std::max(highest, cell);
+      std::uint32_t& slot = chunk.slot[cell / per_block];
+      if (slot == chunk.none) {
+        slot = static_cast<std::uint32_t>(chunk.count.size());
+        chunk.count.resize(chunk.count.size() + per_block, 0);
+      }
+      ++chunk.of(cell);
     }
-    chunk.count.assign(highest - chunk.lowest + 1, 0);
-    for (auto p = static_cast<std::size_t>(begin); p < static_cast<std::size_t>(end); ++p)
-      ++chunk.count[s.cell[p] - chunk.lowest];
   });
 }
 
-/// body(chunk, first, last) for the cells [first, last) of this range that the chunk counts, chunks in order.
-template <class Scratch, class Body> void each_overlap(Scratch& s, std::int64_t begin, std::int64_t end, Body&& body) {
-  for (auto& chunk : s.chunks) {
-    const auto first = std::max<std::int64_t>(begin, chunk.lowest);
-    const auto last = std::min<std::int64_t>(end, chunk.lowest + static_cast<std::int64_t>(chunk.count.size()));
-    if (first < last) body(chunk, static_cast<std::size_t>(first), static_cast<std::size_t>(last));
-  }
+/// body(counts) for the counts that each chunk has of the cells of this block, chunks in order.
+template <class Scratch, class Body> void each_count(Scratch& s, std::uint32_t block, Body&& body) {
+  for (auto& chunk : s.chunks)
+    if (const std::uint32_t slot = chunk.slot[block]; slot != chunk.none) body(chunk.count.data() + slot);
 }
 
 /// start, and in each chunk the place of its next particle for each cell. The particles of a cell keep their order
 /// because the chunks are taken in order.
-template <int Dim> void assign_places(const Grid<Dim>& grid, CellOrder<Dim>& order, std::uint32_t count, Pool& pool) {
+template <int Dim> void assign_places(CellOrder<Dim>& order, std::uint32_t count, Pool& pool) {
+  constexpr std::uint32_t per_block = BlockedCells<Dim>::per_block, grain = cells_per_range / per_block;
   auto& s = order.scratch;
-  const auto cells = static_cast<std::int64_t>(grid.size());
-  order.start.resize(static_cast<std::size_t>(cells) + 1);
-  s.below.assign(static_cast<std::size_t>((cells + cells_per_range - 1) / cells_per_range), 0);
-  pool.ranges(cells, cells_per_range, [&](std::int64_t begin, std::int64_t end) {
-    std::fill(order.start.begin() + begin, order.start.begin() + end, 0u);
-    each_overlap(s, begin, end, [&](const auto& chunk, std::size_t first, std::size_t last) {
-      for (std::size_t c = first; c < last; ++c) order.start[c] += chunk.count[c - chunk.lowest];
+  const std::uint32_t blocks = order.cells.blocks();
+  order.start.resize(std::size_t{order.cells.size()} + 1);
+  s.below.assign((blocks + grain - 1) / grain, 0);
+  const auto each_of_range = [&](auto&& body) { // body(block, its range, the starts of its cells)
+    pool.ranges(blocks, grain, [&](std::int64_t begin, std::int64_t end) {
+      for (auto b = static_cast<std::uint32_t>(begin); b < static_cast<std::uint32_t>(end); ++b)
+        body(b, static_cast<std::uint32_t>(begin) / grain, order.start.data() + std::size_t{b} * per_block);
     });
-    s.below[static_cast<std::size_t>(begin / cells_per_range)] =
-        std::accumulate(order.start.begin() + begin, order.start.begin() + end, 0u);
+  };
+  each_of_range([&](std::uint32_t block, std::uint32_t range, std::uint32_t* start) {
+    std::fill_n(start, per_block, 0u);
+    each_count(s, block, [&](const std::uint32_t* counts) {
+      for (std::uint32_t c = 0; c < per_block; ++c) start[c] += counts[c];
+    });
+    s.below[range] = std::accumulate(start, start + per_block, s.below[range]);
   });
   std::exclusive_scan(s.below.begin(), s.below.end(), s.below.begin(), 0u);
-  pool.ranges(cells, cells_per_range, [&](std::int64_t begin, std::int64_t end) {
-    std::exclusive_scan(order.start.begin() + begin, order.start.begin() + end, order.start.begin() + begin,
-                        s.below[static_cast<std::size_t>(begin / cells_per_range)]);
-    std::vector<std::uint32_t> next(order.start.begin() + begin, order.start.begin() + end);
-    each_overlap(s, begin, end, [&](auto& chunk, std::size_t first, std::size_t last) {
-      for (std::size_t c = first; c < last; ++c) {
-        const std::uint32_t many = chunk.count[c - chunk.lowest];
-        std::uint32_t& place = next[c - static_cast<std::size_t>(begin)];
-        chunk.count[c - chunk.lowest] = place;
-        place += many;
-      }
+  each_of_range([&](std::uint32_t block, std::uint32_t range, std::uint32_t* start) {
+    std::array<std::uint32_t, per_block> next;
+    for (std::uint32_t c = 0; c < per_block; ++c) {
+      const std::uint32_t many = start[c];
+      start[c] = next[c] = s.below[range];
+      s.below[range] += many;
+    }
+    each_count(s, block, [&](std::uint32_t* counts) {
+      for (std::uint32_t c = 0; c < per_block; ++c) counts[c] = std::exchange(next[c], next[c] + counts[c]);
     });
   });
   order.start.back() = count;
@@ -99,14 +102,15 @@ void sort_by_cell(Particles<Dim, Real>& particles, const Grid<Dim>& grid, CellOr
   auto& s = order.scratch;
   const auto count = static_cast<std::int64_t>(particles.size());
   const std::int64_t grain = chunk_size(count);
-  count_cells(particles, grid, s, pool);
-  assign_places(grid, order, static_cast<std::uint32_t>(count), pool);
+  order.cells = BlockedCells<Dim>(grid);
+  count_cells(particles, grid, order, pool);
+  assign_places(order, static_cast<std::uint32_t>(count), pool);
 
   s.source.resize(particles.size());
   pool.ranges(count, grain, [&](std::int64_t begin, std::int64_t end) {
     auto& chunk = s.chunks[static_cast<std::size_t>(begin / grain)];
     for (auto p = static_cast<std::size_t>(begin); p < static_cast<std::size_t>(end); ++p)
-      s.source[chunk.count[s.cell[p] - chunk.lowest]++] = static_cast<std::uint32_t>(p);
+      s.source[chunk.of(s.cell[p])++] = static_cast<std::uint32_t>(p);
   });
 
   auto& room = [&]() -> std::vector<Real>& {

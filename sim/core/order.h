@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Particles in cell order, and loops over blocks of cells that may add to the grid without atomics.
 //
-// The cell of a particle is floor(x / dx) + pad on each axis; a stable counting sort puts the particles of a cell side
-// by side, cells with x fastest. Blocks have edges of `block_edge` cells and 2^Dim colours, so that two blocks of one
-// colour lie a whole block apart: no kernel reaches across (a cubic one on MAC faces reaches two samples beyond its
-// cell). Colours run one after the other, so each sample receives its sum in one fixed order, whatever the number of
-// threads.
+// The cell of a particle is floor(x / dx) + pad on each axis. Blocks have edges of `block_edge` cells; a stable
+// counting sort puts the particles of a cell side by side, the cells of a block side by side, and blocks one after the
+// other, x fastest in both. So the particles of a block are one stretch of every column, which memory delivers at full
+// speed, and the samples around them stay in the nearest caches.
+//
+// Blocks have 2^Dim colours, so that two blocks of one colour lie a whole block apart: no kernel reaches across (a
+// cubic one on MAC faces reaches two samples beyond its cell). Colours run one after the other, so each sample receives
+// its sum in one fixed order, whatever the number of threads.
 #pragma once
 
 #include "sim/core/lattice.h"
@@ -13,26 +16,129 @@
 #include "sim/core/particles.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace flipbook {
 
+/// Cells along an edge of a block: a power of two, and at least 4 for the reach of cubic kernels on MAC faces.
+inline constexpr int block_edge = 8;
+
+/// The cells of a grid, pads included, numbered block by block. Blocks at the upper sides have cells that the grid has
+/// not; nothing is ever in them.
+template <int Dim> class BlockedCells {
+public:
+  static constexpr std::uint32_t per_block = Dim == 2 ? block_edge * block_edge : block_edge * block_edge * block_edge;
+
+  BlockedCells() = default;
+  explicit BlockedCells(const Grid<Dim>& grid) {
+    for (std::size_t d = 0; d < Dim; ++d) {
+      stride_[d] = blocks_;
+      blocks_ *= static_cast<std::uint32_t>((grid.extent()[static_cast<int>(d)] + block_edge - 1) / block_edge);
+    }
+  }
+
+  [[nodiscard]] std::uint32_t blocks() const { return blocks_; }
+  [[nodiscard]] std::uint32_t size() const { return blocks_ * per_block; }
+  [[nodiscard]] std::uint32_t number(const Index<Dim>& cell) const {
+    std::uint32_t block = 0, within = 0, across = 1;
+    for (std::size_t d = 0; d < Dim; ++d, across *= block_edge) {
+      const auto i = static_cast<std::uint32_t>(cell[static_cast<int>(d)]);
+      block += i / block_edge * stride_[d];
+      within += i % block_edge * across;
+    }
+    return block * per_block + within;
+  }
+
+private:
+  std::uint32_t blocks_ = 1;
+  std::array<std::uint32_t, Dim> stride_{}; ///< of blocks
+};
+
+/// Where the particles of the cells of one row along x are.
+template <int Dim> class CellRow {
+public:
+  /// `start`: that of cell 0 of the row.
+  explicit CellRow(const std::uint32_t* start) : start_(start) {}
+
+  [[nodiscard]] std::size_t begin(int i) const { return start_[offset(i)]; }
+  [[nodiscard]] std::size_t end(int i) const { return start_[offset(i) + 1]; }
+
+  /// body(begin, end) for the runs of particles of the cells [first, last).
+  template <class Body> void each_run(int first, int last, Body&& body) const {
+    for (int i = first; i < last;) {
+      const int next = std::min(last, (i / block_edge + 1) * block_edge);
+      if (begin(i) != end(next - 1)) body(begin(i), end(next - 1));
+      i = next;
+    }
+  }
+  /// The first of the cells [first, last) that has a particle; `last` if none has.
+  [[nodiscard]] int first_occupied(int first, int last) const {
+    for (int i = first; i < last;) {
+      const int next = std::min(last, (i / block_edge + 1) * block_edge);
+      for (; begin(i) != end(next - 1); ++i)
+        if (begin(i) != end(i)) return i;
+      i = next;
+    }
+    return last;
+  }
+  /// One beyond the last of them that has; `first` if none has.
+  [[nodiscard]] int end_of_occupied(int first, int last) const {
+    for (int i = last; i > first;) {
+      const int lowest = std::max(first, (i - 1) / block_edge * block_edge);
+      for (; begin(lowest) != end(i - 1); --i)
+        if (begin(i - 1) != end(i - 1)) return i;
+      i = lowest;
+    }
+    return first;
+  }
+
+private:
+  static std::size_t offset(int i) {
+    const auto c = static_cast<std::size_t>(i);
+    return c / block_edge * BlockedCells<Dim>::per_block + c % block_edge;
+  }
+
+  const std::uint32_t* start_;
+};
+
 /// Where the particles of each cell are.
 template <int Dim> struct CellOrder {
-  /// grid.size() + 1 entries: the particles of cell c (Grid::at) are [start[c], start[c + 1]).
+  BlockedCells<Dim> cells;
+  /// cells.size() + 1 entries: the particles of the cell with number c are [start[c], start[c + 1]).
   std::vector<std::uint32_t> start;
+
+  [[nodiscard]] std::size_t begin(const Index<Dim>& cell) const { return start[cells.number(cell)]; }
+  [[nodiscard]] std::size_t end(const Index<Dim>& cell) const { return start[cells.number(cell) + 1]; }
+  /// The particles of the block whose first cell this is: [first, second).
+  [[nodiscard]] std::pair<std::size_t, std::size_t> block(const Index<Dim>& first) const {
+    const std::uint32_t c = cells.number(first);
+    return {start[c], start[c + BlockedCells<Dim>::per_block]};
+  }
+  /// The row of this cell.
+  [[nodiscard]] CellRow<Dim> row(Index<Dim> cell) const {
+    cell[0] = 0;
+    return CellRow<Dim>(start.data() + cells.number(cell));
+  }
 
   /// Room that sort_by_cell keeps from one call to the next.
   struct Scratch {
     struct Chunk {
-      std::uint32_t lowest = 0; ///< smallest cell met
-      std::vector<std::uint32_t>
-          count; ///< of each cell from there on: first how many particles, then where the next goes
+      static constexpr std::uint32_t none = ~std::uint32_t{0};
+      std::vector<std::uint32_t> slot;  ///< of each block that has particles of the chunk: where its counts begin
+      std::vector<std::uint32_t> count; ///< of each cell of these: first how many, then where the next one goes
+
+      /// The count of the cell with this number, whose block has a slot.
+      [[nodiscard]] std::uint32_t& of(std::uint32_t cell) {
+        return count[slot[cell / BlockedCells<Dim>::per_block] + cell % BlockedCells<Dim>::per_block];
+      }
     };
     std::vector<std::uint32_t> cell;   ///< of each particle
     std::vector<std::uint32_t> source; ///< which particle moves to each place
-    std::vector<std::uint32_t> below;  ///< particles before each range of cells
+    std::vector<std::uint32_t> below;  ///< particles before each range of blocks
     std::vector<Chunk> chunks;
     std::vector<std::uint32_t> id;
     std::vector<float> single_column;
@@ -57,26 +163,6 @@ template <int Dim, class Real> [[nodiscard]] Index<Dim> cell_of(const Grid<Dim>&
 /// domain or its pads.
 template <int Dim, class Real>
 void sort_by_cell(Particles<Dim, Real>& particles, const Grid<Dim>& grid, CellOrder<Dim>& order, Pool& pool);
-
-/// Cells along an edge of a block: a multiple of 4, and at least 4 for the reach of cubic kernels on MAC faces.
-inline constexpr int block_edge = 8;
-
-/// body(begin, end) for the runs of particles of the block whose first cell this is, row of cells after row of cells.
-template <int Dim, class Body>
-void each_run(const Grid<Dim>& grid, const CellOrder<Dim>& order, const Index<Dim>& first, Body&& body) {
-  const Index<Dim> last = (first.array() + block_edge).min(grid.extent().array());
-  for (Index<Dim> c = first; c[Dim - 1] < last[Dim - 1];) {
-    Index<Dim> end = c;
-    end[0] = last[0] - 1;
-    const std::uint32_t p = order.start[static_cast<std::size_t>(grid.at(c))];
-    const std::uint32_t q = order.start[static_cast<std::size_t>(grid.at(end)) + 1];
-    if (p != q) body(std::size_t{p}, std::size_t{q});
-    ++c[1]; // the next row of cells
-    if constexpr (Dim == 3) {
-      if (c[1] == last[1]) c[1] = first[1], ++c[2];
-    }
-  }
-}
 
 /// body(first) for the first cell of every block, colour after colour; blocks that run at the same time are a block
 /// apart.

@@ -14,14 +14,14 @@ void Cells<Dim, Real>::classify(Surface surface, const Grid<Dim>& grid, const Wa
                                 const CellOrder<Dim>& order, const Field<Real>& phi, Pool& pool,
                                 const std::vector<std::size_t>& wet) {
   fluid.assign(static_cast<std::size_t>(grid.size()), 0);
-  each_in(grid, cells_of(grid), pool, [&](const Index<Dim>&, std::size_t at) {
+  each_in(grid, cells_of(grid), pool, [&](const Index<Dim>& cell, std::size_t at) {
     bool open = false;
     for (int a = 0; a < Dim; ++a) {
       const Field<Real>& f = walls.open[static_cast<std::size_t>(a)];
       open = open || f[at] > 0 || f[at + static_cast<std::size_t>(grid.stride(a))] > 0;
     }
     const bool liquid = surface == Surface::full    ? true
-                        : surface == Surface::voxel ? order.start[at + 1] > order.start[at]
+                        : surface == Surface::voxel ? order.end(cell) > order.begin(cell)
                                                     : phi[at] < 0;
     fluid[at] = open && liquid;
   });
@@ -47,8 +47,9 @@ template <int Dim, class Real>
 void Cells<Dim, Real>::mark_ballistic(const Grid<Dim>& grid, const CellOrder<Dim>& order,
                                       std::vector<std::uint8_t>& ballistic, Pool& pool) const {
   ballistic.resize(order.start.back());
-  each_in(grid, cells_of(grid), pool, [&](const Index<Dim>&, std::size_t at) {
-    std::fill(ballistic.begin() + order.start[at], ballistic.begin() + order.start[at + 1], fluid[at] ? 0 : 1);
+  each_in(grid, cells_of(grid), pool, [&](const Index<Dim>& cell, std::size_t at) {
+    const std::size_t begin = order.begin(cell);
+    std::fill_n(ballistic.data() + begin, order.end(cell) - begin, static_cast<std::uint8_t>(fluid[at] ? 0 : 1));
   });
 }
 

@@ -16,7 +16,7 @@ template <int Dim, class Real> class NearestParticle {
 public:
   NearestParticle(const Grid<Dim>& grid, const Walls<Dim, Real>& walls, const Particles<Dim, Real>& particles,
                   const CellOrder<Dim>& order)
-      : grid_(grid), walls_(walls), start_(order.start.data()), domain_(cells_of(grid)),
+      : grid_(grid), walls_(walls), order_(order), domain_(cells_of(grid)),
         inverse_dx_(static_cast<Real>(1 / grid.dx)) {
     for (std::size_t d = 0; d < Dim; ++d) x_[d] = particles.x[d].data();
   }
@@ -28,8 +28,7 @@ public:
     each_in(grid_, around, [&](const Index<Dim>& c, std::size_t) {
       const Index<Dim> home = walls_.image(c);
       if (!domain_.contains(home)) return;
-      const auto at = static_cast<std::size_t>(grid_.at(home));
-      visit(centre_of(cell + home - c), start_[at], start_[at + 1], nearest);
+      visit(centre_of(cell + home - c), order_.begin(home), order_.end(home), nearest);
     });
     return nearest;
   }
@@ -41,13 +40,10 @@ public:
     rows = {rows.lo.cwiseMax(domain_.lo), rows.hi.cwiseMin(domain_.hi)};
     rows.hi[0] = rows.lo[0] + 1;
     int begin = domain_.hi[0], end = domain_.lo[0];
-    each_in(grid_, rows, [&](const Index<Dim>&, std::size_t row) {
-      const std::uint32_t *cell = start_ + row - domain_.lo[0], *last = start_ + row + grid_.cells[0];
-      if (start_[row] == *last) return;
-      int low = domain_.lo[0], high = domain_.hi[0];
-      while (low < begin && cell[low + 1] == start_[row]) ++low;
-      while (high > end && cell[high - 1] == *last) --high;
-      begin = std::min(begin, low), end = std::max(end, high);
+    each_in(grid_, rows, [&](const Index<Dim>& cell, std::size_t) {
+      const CellRow<Dim> row = order_.row(cell);
+      begin = row.first_occupied(domain_.lo[0], begin);
+      end = row.end_of_occupied(end, domain_.hi[0]);
     });
     return {std::max(begin - farthest_reach, domain_.lo[0]), std::min(end + farthest_reach, domain_.hi[0])};
   }
@@ -61,9 +57,8 @@ private:
     return false;
   }
 
-  /// Away from periodic sides the cells of a row are neighbours in memory: one run of particles for each row, or those
-  /// at its two ends where the rest has been visited. Rows that lie too far away are left out; a thousandth of a cell
-  /// is more than the rounding of any place.
+  /// Away from periodic sides: the runs of particles of each row, or those at its two ends where the rest has been
+  /// visited. Rows that lie too far away are left out; a thousandth of a cell is more than the rounding of any place.
   [[nodiscard]] Real inside(const Index<Dim>& cell, int reach, Real nearest) const {
     const int left = std::max(cell[0] - reach, domain_.lo[0]), right = std::min(cell[0] + reach + 1, domain_.hi[0]);
     const Centre centre = centre_of(cell);
@@ -80,12 +75,12 @@ private:
         around = around || std::abs(n) == reach;
       }
       if (apart >= nearest) return;
-      c[0] = 0;
-      const std::uint32_t* row = start_ + grid_.at(c);
-      if (row[left] == row[right]) return;
-      if (around || reach == 0) return visit(centre, row[left], row[right], nearest);
-      if (cell[0] - reach == left) visit(centre, row[left], row[left + 1], nearest);
-      if (cell[0] + reach + 1 == right) visit(centre, row[right - 1], row[right], nearest);
+      const CellRow<Dim> row = order_.row(c);
+      if (around || reach == 0)
+        return row.each_run(left, right,
+                            [&](std::size_t begin, std::size_t end) { visit(centre, begin, end, nearest); });
+      if (cell[0] - reach == left) visit(centre, row.begin(left), row.end(left), nearest);
+      if (cell[0] + reach + 1 == right) visit(centre, row.begin(right - 1), row.end(right - 1), nearest);
     };
     const int across = Dim == 3 ? reach : 0;
     for (int k = -across; k <= across; ++k)
@@ -130,7 +125,7 @@ private:
   const Grid<Dim>& grid_;
   const Walls<Dim, Real>& walls_;
   std::array<const Real*, Dim> x_;
-  const std::uint32_t* start_;
+  const CellOrder<Dim>& order_;
   Box<Dim> domain_;
   Real inverse_dx_;
 };

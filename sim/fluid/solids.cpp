@@ -210,8 +210,8 @@ std::vector<std::size_t> Solids<Dim, Real>::wet(const Walls<Dim, Real>& walls, c
       Index<Dim> i;
       auto rest = static_cast<std::ptrdiff_t>(beyond);
       for (int d = 0; d < Dim; rest /= grid_.extent()[d], ++d) i[d] = static_cast<int>(rest % grid_.extent()[d]);
-      const auto home = static_cast<std::size_t>(grid_.at(walls.image(i)));
-      beside = beside || order.start[home + 1] > order.start[home];
+      const Index<Dim> home = walls.image(i);
+      beside = beside || order.end(home) > order.begin(home);
     });
     if (beside) cells.push_back(cell);
   }

@@ -18,8 +18,7 @@ void correct_spacing(double strength, double spacing, const Grid<Dim>& grid, con
       const Index<Dim> home = walls.image(c);
       if (!domain.contains(home)) return;
       const Vec<Dim, Real> shift = dx * (c - home).template cast<Real>();
-      const auto at = static_cast<std::size_t>(grid.at(home));
-      for (std::size_t q = order.start[at]; q < order.start[at + 1]; ++q) {
+      for (std::size_t q = order.begin(home); q < order.end(home); ++q) {
         Vec<Dim, Real> r = x - shift;
         for (int a = 0; a < Dim; ++a) r[a] -= before[static_cast<std::size_t>(a)][q];
         const Real length = r.norm();
@@ -38,8 +37,8 @@ void correct_spacing(double strength, double spacing, const Grid<Dim>& grid, con
     walls.confine(x);
     particles.set_position(p, x);
   };
-  each_in(grid, domain, pool, [&](const Index<Dim>& cell, std::size_t at) {
-    for (std::size_t p = order.start[at]; p < order.start[at + 1]; ++p) push(p, cell);
+  each_in(grid, domain, pool, [&](const Index<Dim>& cell, std::size_t) {
+    for (std::size_t p = order.begin(cell); p < order.end(cell); ++p) push(p, cell);
   });
 }
 

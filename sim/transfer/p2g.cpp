@@ -20,7 +20,7 @@ template <int Dim, class Real> void clear(Components<Dim, Real>& field, Pool& po
                 [&](std::int64_t begin, std::int64_t end) { std::fill(f.begin() + begin, f.begin() + end, Real(0)); });
 }
 
-/// (m u)_i += w_ip m_p (v_p + A_p r) for runs of particles, on the tile of their block.
+/// (m u)_i += w_ip m_p (v_p + A_p r) for the particles of a block, on its tile.
 template <class Mode, class K, int Dim, class Real> struct Scatter {
   using T = Pack<Real>;
   using Paint = Painted<Mode, K, Dim, Real>;
@@ -32,11 +32,10 @@ template <class Mode, class K, int Dim, class Real> struct Scatter {
   const std::uint8_t* ballistic;
   std::size_t size; ///< of all particles
 
-  /// The particles [begin, end); `next`: where the run begins that comes after it.
-  void operator()(Tile<K, Dim, Real>& tile, std::size_t begin, std::size_t end, std::size_t next) const {
+  /// The particles [begin, end).
+  void operator()(Tile<K, Dim, Real>& tile, std::size_t begin, std::size_t end) const {
     std::array<Paint, Dim> painted;
     for (std::size_t p = begin; p < end; p += Lanes<Real>::count) {
-      fetch(std::min(next + (p - begin), size - 1));
       const Lanes<Real> lanes(p, end - p, ballistic);
       if (lanes.all_skipped()) continue;
       const auto read = [&](const Real* column) {
@@ -58,14 +57,6 @@ template <class Mode, class K, int Dim, class Real> struct Scatter {
       else
         lanes.each(add);
     }
-  }
-
-  /// Has the columns brought near: a run is too short for the processor to see where its successor will be.
-  void fetch(std::size_t p) const {
-    for (const Real* c : x) __builtin_prefetch(c + p);
-    for (const Real* c : v) __builtin_prefetch(c + p);
-    for (const Real* c : A) __builtin_prefetch(c + p);
-    __builtin_prefetch(mass + p);
   }
 };
 
@@ -89,13 +80,10 @@ void p2g(const Corner& corner, KernelName kernel, Layout layout, const Grid<Dim>
                                               ballistic ? ballistic->data() : nullptr,
                                               particles.size()};
     each_block(grid, pool, [&](const Index<Dim>& first) {
-      std::array<std::pair<std::size_t, std::size_t>, power(block_edge, Dim - 1) + 1> runs;
-      std::size_t count = 0;
-      each_run(grid, order, first, [&](std::size_t begin, std::size_t end) { runs[count++] = {begin, end}; });
-      if (count == 0) return;
-      runs[count] = runs[count - 1]; // there is nothing to look ahead to
+      const auto [begin, end] = order.block(first);
+      if (begin == end) return;
       Tile<K, Dim, Real> tile(first);
-      for (std::size_t r = 0; r < count; ++r) scatter(tile, runs[r].first, runs[r].second, runs[r + 1].first);
+      scatter(tile, begin, end);
       tile.add_to(grid, m, mu);
     });
   });

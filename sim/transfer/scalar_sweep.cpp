@@ -120,7 +120,10 @@ void scalar_p2g(const Corner& corner, KernelName kernel, Layout layout, const Gr
           }
       }
     };
-    each_block(grid, pool, [&](const Index<Dim>& first) { each_run(grid, order, first, scatter); });
+    each_block(grid, pool, [&](const Index<Dim>& first) {
+      const auto [begin, end] = order.block(first);
+      scatter(begin, end);
+    });
   });
 }
 

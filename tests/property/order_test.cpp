@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "tests/property/cases.h"
 
+#include "sim/fluid/box.h"
 #include "sim/transfer/stencil.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace flipbook {
 namespace {
@@ -37,7 +39,7 @@ TYPED_TEST(OrderTest, SortIsAStablePermutationIntoCells) {
   CellOrder<Dim> order;
   for (int repeat = 0; repeat < 2; ++repeat) { // the second time from sorted particles, with the scratch in use
     sort_by_cell(after, grid, order, threads.pool);
-    ASSERT_EQ(order.start.size(), static_cast<std::size_t>(grid.size()) + 1);
+    ASSERT_EQ(order.start.size(), order.cells.size() + std::size_t{1});
     ASSERT_EQ(order.start.front(), 0u);
     ASSERT_EQ(order.start.back(), before.size());
     std::vector<char> seen(before.size(), 0);
@@ -45,7 +47,7 @@ TYPED_TEST(OrderTest, SortIsAStablePermutationIntoCells) {
       for (std::uint32_t p = order.start[c]; p < order.start[c + 1]; ++p) {
         const std::size_t i = after.id[p];
         ASSERT_EQ(seen[i]++, 0);
-        ASSERT_EQ(static_cast<std::size_t>(grid.at(cell_of(grid, after.position(p)))), c);
+        ASSERT_EQ(order.cells.number(cell_of(grid, after.position(p))), c);
         ASSERT_TRUE(p == order.start[c] || after.id[p - 1] < i) << "the order within a cell has changed";
         ASSERT_EQ(after.position(p), before.position(i));
         ASSERT_EQ(after.velocity(p), before.velocity(i));
@@ -62,7 +64,56 @@ TYPED_TEST(OrderTest, NoParticlesIsFine) {
   Particles<Dim, typename TypeParam::Real> none;
   CellOrder<Dim> order;
   sort_by_cell(none, grid, order, threads.pool);
-  EXPECT_EQ(order.start, std::vector<std::uint32_t>(static_cast<std::size_t>(grid.size()) + 1, 0));
+  EXPECT_EQ(order.start, std::vector<std::uint32_t>(order.cells.size() + std::size_t{1}, 0));
+}
+
+TYPED_TEST(OrderTest, NumbersEveryCellOnceAndBlockByBlock) {
+  constexpr int Dim = TypeParam::dim;
+  Grid<Dim> grid;
+  for (int d = 0; d < Dim; ++d) grid.cells[d] = 30 - 7 * d;
+  const BlockedCells<Dim> cells(grid);
+  std::vector<char> seen(cells.size(), 0);
+  each_in(grid, Box<Dim>{Index<Dim>::Zero(), grid.extent()}, [&](const Index<Dim>& cell, std::size_t) {
+    const std::uint32_t number = cells.number(cell);
+    ASSERT_LT(number, cells.size());
+    ASSERT_EQ(seen[number]++, 0);
+    const Index<Dim> first = (cell.array() / block_edge) * block_edge;
+    ASSERT_EQ(number / cells.per_block, cells.number(first) / cells.per_block);
+    ASSERT_EQ(cells.number(first) % cells.per_block, 0u);
+  });
+}
+
+TYPED_TEST(OrderTest, RowsFindTheirParticles) {
+  constexpr int Dim = TypeParam::dim;
+  using Real = typename TypeParam::Real;
+  Threads threads(2);
+  Grid<Dim> grid;
+  grid.cells.setConstant(21);
+  grid.dx = 1;
+  Particles<Dim, Real> particles;
+  for (const std::uint32_t i : {5u, 6u, 13u, 14u, 19u}) { // cells along x, from the pads on: 7, 8, 15, 16, 21
+    Vec<Dim, Real> x = Vec<Dim, Real>::Constant(Real(3.5));
+    x[0] = static_cast<Real>(i) + Real(0.5);
+    particles.add(x, x, Real(1), i);
+  }
+  CellOrder<Dim> order;
+  sort_by_cell(particles, grid, order, threads.pool);
+  const CellRow<Dim> row = order.row(Index<Dim>::Constant(5)), other = order.row(Index<Dim>::Constant(6));
+  for (int first = 0; first <= 25; ++first)
+    for (int last = first; last <= 25; ++last) {
+      std::vector<std::size_t> expected, found;
+      for (const int cell : {7, 8, 15, 16, 21})
+        if (cell >= first && cell < last) expected.push_back(static_cast<std::size_t>(cell));
+      row.each_run(first, last, [&](std::size_t begin, std::size_t end) {
+        ASSERT_LT(begin, end);
+        for (; begin < end; ++begin) found.push_back(particles.id[begin] + std::size_t{2});
+      });
+      ASSERT_EQ(found, expected) << first << " " << last;
+      ASSERT_EQ(row.first_occupied(first, last), expected.empty() ? last : static_cast<int>(expected.front()));
+      ASSERT_EQ(row.end_of_occupied(first, last), expected.empty() ? first : static_cast<int>(expected.back()) + 1);
+      ASSERT_EQ(other.first_occupied(first, last), last);
+      ASSERT_EQ(other.end_of_occupied(first, last), first);
+    }
 }
 
 TYPED_TEST(OrderTest, BlocksVisitEveryParticleOnce) {
@@ -76,9 +127,8 @@ TYPED_TEST(OrderTest, BlocksVisitEveryParticleOnce) {
   sort_by_cell(particles, grid, order, threads.pool);
   std::vector<char> visits(particles.size(), 0); // runs are disjoint, so no two threads write one entry
   each_block(grid, threads.pool, [&](const Index<Dim>& first) {
-    each_run(grid, order, first, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t p = begin; p < end; ++p) ++visits[p];
-    });
+    const auto [begin, end] = order.block(first);
+    for (std::size_t p = begin; p < end; ++p) ++visits[p];
   });
   EXPECT_TRUE(std::all_of(visits.begin(), visits.end(), [](char n) { return n == 1; }));
 }
@@ -88,7 +138,7 @@ TYPED_TEST(OrderTest, BlocksVisitEveryParticleOnce) {
 TYPED_TEST(OrderTest, StencilsStayWithinReachOfTheirCell) {
   using Real = typename TypeParam::Real;
   constexpr int reach = 2;
-  static_assert(block_edge % 4 == 0 && block_edge > 2 * reach - 1);
+  static_assert(std::has_single_bit(static_cast<unsigned>(block_edge)) && block_edge > 2 * reach - 1);
   for (const double dx : {0.1, 1.0 / 3, 0.7})
     for (int i = 0; i <= 4000; ++i) {
       // Positions at, just below and just above multiples of half a cell, where roundings decide the cell.
