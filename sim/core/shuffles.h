@@ -5,15 +5,11 @@
 #include "sim/core/pack.h"
 
 #include <bit>
-#include <cstring>
 #include <utility>
 
 namespace flipbook {
 
 namespace detail {
-template <class Real, std::size_t N> struct Numbers {
-  typedef Real Type __attribute__((vector_size(N * sizeof(Real))));
-};
 
 /// Entry i of the result is entry index(i) of a and b, counted on from a to b.
 template <std::size_t Out, auto index, class V> [[nodiscard]] [[gnu::always_inline]] inline auto shuffle(V a, V b) {
@@ -110,7 +106,7 @@ private:
 /// u[at], u[at + 1], .. u[at + N - 1] of every lane, N <= 4; the field must not end before u[at + 3] where N is 3. One
 /// read for all of them and shuffles, where a processor's own gather reads them one by one.
 template <std::size_t N, class T>
-[[nodiscard]] inline std::array<T, N> look_up_row(const NumberOf<T>* u, const PlaceOf<T>& at) {
+[[nodiscard]] [[gnu::always_inline]] inline std::array<T, N> look_up_row(const NumberOf<T>* u, const PlaceOf<T>& at) {
   using Real = NumberOf<T>;
   constexpr std::size_t read = std::bit_ceil(N);
   std::array<T, N> out;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace flipbook {
 namespace {
@@ -35,6 +37,39 @@ double share_of_part(const Grid<Dim>& grid, const Field<Real>& phi, std::size_t 
   return std::clamp(0.5 - value / across, 0.0, 1.0);
 }
 
+/// The least and the largest phi of a cell and its neighbours, for the cells of a row. What is interpolated between
+/// them lies between them, and differs by at most Dim (largest - least) / 2 across a part of the cell: most cells are
+/// full or empty for sure.
+template <class Real> class RowRange {
+public:
+  /// For the cells [lo, hi).
+  RowRange(int lo, int hi) : lo_(lo), least_(static_cast<std::size_t>(hi - lo + 2)), most_(least_) {}
+
+  /// `row`: cell 0 of the row.
+  template <int Dim> void find(const Grid<Dim>& grid, const Real* row) {
+    row += lo_ - 1;
+    std::copy_n(row, least_.size(), least_.data());
+    std::copy_n(row, most_.size(), most_.data());
+    for (int k = Dim == 3 ? -1 : 0; k <= (Dim == 3 ? 1 : 0); ++k)
+      for (int j = -1; j <= 1; ++j) {
+        const Real* other = row + j * grid.stride(1) + (Dim == 3 ? k * grid.stride(Dim - 1) : 0);
+        for (std::size_t i = 0; i < least_.size(); ++i) {
+          least_[i] = std::min(least_[i], other[i]);
+          most_[i] = std::max(most_[i], other[i]);
+        }
+      }
+  }
+  [[nodiscard]] std::pair<double, double> around(int cell) const {
+    const Real *least = least_.data() + (cell - lo_), *most = most_.data() + (cell - lo_);
+    return {static_cast<double>(std::min({least[0], least[1], least[2]})),
+            static_cast<double>(std::max({most[0], most[1], most[2]}))};
+  }
+
+private:
+  int lo_;
+  std::vector<Real> least_, most_;
+};
+
 /// The open part of a cell, by the distance from obstacles at its corners.
 template <int Dim, class Real> double open_share(const FluidState<Dim, Real>& s, std::size_t cell) {
   double mean = 0;
@@ -46,14 +81,24 @@ template <int Dim, class Real> double open_share(const FluidState<Dim, Real>& s,
 } // namespace
 
 template <int Dim, class Real> double liquid_volume(const FluidState<Dim, Real>& s, Pool& pool) {
-  const Box<Dim> box = cells_of(s.grid);
-  const double cells = pool.sum(detail::rows_of(box), 64, 0.0, [&](std::int64_t begin, std::int64_t end) {
+  Box<Dim> rows = cells_of(s.grid);
+  const int lo = rows.lo[0], hi = rows.hi[0];
+  rows.hi[0] = lo + 1;
+  const double cells = pool.sum(detail::rows_of(rows), 16, 0.0, [&](std::int64_t begin, std::int64_t end) {
     double sum = 0;
-    detail::each_in_rows(s.grid, box, begin, end, [&](const Index<Dim>&, std::size_t at) {
-      double share = 0;
-      for (int part = 0; part < 1 << Dim; ++part) share += share_of_part(s.grid, s.phi, at, part) / (1 << Dim);
-      if (share > 0 && !s.solids.none()) share *= open_share(s, at);
-      sum += share;
+    RowRange<Real> range(lo, hi);
+    detail::each_in_rows(s.grid, rows, begin, end, [&](const Index<Dim>&, std::size_t first) {
+      range.find(s.grid, s.phi.data() + first - lo);
+      for (int i = lo; i < hi; ++i) {
+        const std::size_t at = first + static_cast<std::size_t>(i - lo);
+        double share = 0;
+        if (const auto [least, most] = range.around(i); least < 0 && -most >= Dim * (most - least) / 4)
+          share = 1;
+        else if (least < Dim * (most - least) / 4)
+          for (int part = 0; part < 1 << Dim; ++part) share += share_of_part(s.grid, s.phi, at, part) / (1 << Dim);
+        if (share > 0 && !s.solids.none()) share *= open_share(s, at);
+        sum += share;
+      }
     });
     return sum;
   });

@@ -29,12 +29,12 @@ public:
   /// All lanes are particles, and none of them is skipped.
   [[nodiscard]] bool whole() const { return many_ == count && !marks_; }
 
-  [[nodiscard]] T read(const Real* column) const { return load<T>(column + p_, many_); }
-  void write(const T& value, Real* column) const {
-    if (whole()) return value.store_unaligned(column + p_);
-    std::array<Real, count> copy;
-    value.store_unaligned(copy.data());
-    each([&](std::size_t l) { column[p_ + l] = copy[l]; });
+  [[nodiscard]] [[gnu::always_inline]] T read(const Real* column) const { return load<T>(column + p_, many_); }
+  [[gnu::always_inline]] void write(const T& value, Real* column) const {
+    if (whole())
+      value.store_unaligned(column + p_);
+    else
+      write_some(value, column);
   }
 
   /// body(lane) for the lanes that are not skipped, in order.
@@ -50,6 +50,12 @@ public:
   }
 
 private:
+  [[gnu::noinline, gnu::cold]] void write_some(const T& value, Real* column) const {
+    std::array<Real, count> copy;
+    value.store_unaligned(copy.data());
+    each([&](std::size_t l) { column[p_ + l] = copy[l]; });
+  }
+
   std::size_t p_, many_, skipped_ = 0;
   const std::uint8_t* marks_; ///< null: nobody is skipped
 };

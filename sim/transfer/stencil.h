@@ -83,7 +83,8 @@ public:
   using Axis = AxisStencil<K, T, Second>;
   using Position = std::array<T, Dim>; ///< grid_position on each axis
 
-  Stencil(const Walk<Dim, Real>& walk, const Position& q) : Stencil(walk, q, std::make_index_sequence<Dim>()) {}
+  [[gnu::always_inline]] Stencil(const Walk<Dim, Real>& walk, const Position& q)
+      : Stencil(walk, q, std::make_index_sequence<Dim>()) {}
 
   [[nodiscard]] const Axis& axis(int component, int d) const {
     return component == d ? own_[static_cast<std::size_t>(d)] : other_[static_cast<std::size_t>(d)];
@@ -119,7 +120,7 @@ public:
 
 private:
   template <std::size_t... D>
-  Stencil(const Walk<Dim, Real>& walk, const Position& q, std::index_sequence<D...>)
+  [[gnu::always_inline]] Stencil(const Walk<Dim, Real>& walk, const Position& q, std::index_sequence<D...>)
       : own_{Axis(q[D])...}, other_{Axis(q[D] - T(walk.offset))...} {}
 
   /// The samples of axis D from the one at u[at] on.
