@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 namespace flipbook {
 
@@ -48,6 +49,11 @@ template <class T, std::size_t Dim>
 }
 
 namespace detail {
+/// N numbers as the compiler knows them.
+template <class Real, std::size_t N> struct Numbers {
+  typedef Real Type __attribute__((vector_size(N * sizeof(Real))));
+};
+
 template <class T> [[gnu::noinline, gnu::cold]] T load_some(const NumberOf<T>* p, std::size_t many) {
   std::array<NumberOf<T>, lanes_of<T>> copy;
   for (std::size_t l = 0; l < lanes_of<T>; ++l) copy[l] = p[l < many ? l : 0];
@@ -63,18 +69,33 @@ template <class T> [[nodiscard]] inline T load(const NumberOf<T>* p, std::size_t
     return many >= lanes_of<T> ? T::load_unaligned(p) : detail::load_some<T>(p, many);
 }
 
-/// The same in double, whatever the numbers are.
-template <class Real> [[nodiscard]] inline Pack<double> load_in_double(const Real* p, std::size_t many) {
-  if constexpr (std::is_same_v<Real, double>) {
-    return load<Pack<double>>(p, many);
-  } else {
-    std::array<double, lanes_of<Pack<double>>> copy;
-    if (many >= copy.size())
-      for (std::size_t l = 0; l < copy.size(); ++l) copy[l] = static_cast<double>(p[l]);
-    else
-      for (std::size_t l = 0; l < copy.size(); ++l) copy[l] = static_cast<double>(p[l < many ? l : 0]);
-    return Pack<double>::load_unaligned(copy.data());
-  }
+/// As many numbers as a pack in double has, but in a precision of their own.
+template <class Real> using Narrow = typename detail::Numbers<Real, lanes_of<Pack<double>>>::Type;
+
+/// load() of them.
+template <class Real>
+[[nodiscard]] [[gnu::always_inline]] inline Narrow<Real> load_narrow(const Real* p, std::size_t many) {
+  constexpr std::size_t lanes = lanes_of<Pack<double>>;
+  Narrow<Real> x;
+  if (many >= lanes)
+    std::memcpy(&x, p, sizeof x);
+  else
+    for (std::size_t l = 0; l < lanes; ++l) x[l] = p[l < many ? l : 0];
+  return x;
+}
+[[nodiscard]] inline Pack<double> in_double(const Narrow<double>& x) {
+  return Pack<double>(x);
+}
+[[nodiscard]] inline Pack<double> in_double(const Narrow<float>& x) {
+#ifdef __AVX__ // where g++ 12 would take the halves through memory
+  return Pack<double>(_mm256_cvtps_pd(x));
+#else
+  return Pack<double>(__builtin_convertvector(x, Narrow<double>));
+#endif
+}
+template <class Real>
+[[nodiscard]] [[gnu::always_inline]] inline Pack<double> load_in_double(const Real* p, std::size_t many) {
+  return in_double(load_narrow(p, many));
 }
 
 /// The lanes added up, one after the other.

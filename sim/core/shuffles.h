@@ -10,7 +10,6 @@
 namespace flipbook {
 
 namespace detail {
-
 /// Entry i of the result is entry index(i) of a and b, counted on from a to b.
 template <std::size_t Out, auto index, class V> [[nodiscard]] [[gnu::always_inline]] inline auto shuffle(V a, V b) {
   return [&]<std::size_t... i>(std::index_sequence<i...>) {

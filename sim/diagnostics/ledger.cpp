@@ -7,19 +7,13 @@
 #include "sim/transfer/sweep.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace flipbook {
 namespace {
 
 constexpr std::int64_t particles_per_chunk = 1 << 12;
 constexpr std::int64_t rows_per_chunk = 64;
-
-/// Sums side by side, which a processor adds up at once, in an order that no compiler changes.
-struct Lanes {
-  static constexpr std::size_t count = 4;
-  std::array<double, count> sum{};
-  [[nodiscard]] double total() const { return (sum[0] + sum[1]) + (sum[2] + sum[3]); }
-};
 
 /// body<0>(), body<1>(), .. body<N - 1>(): nothing is left of the loop, and compilers work on several particles at
 /// once.
@@ -31,25 +25,25 @@ template <int N, class Body> void unrolled(Body&& body) {
 }
 
 /// Totals of particles, a pack in double at a time.
-template <class Mode, class K, int Dim, class Real> class ParticleSums {
+template <class Mode, int Dim, class Real> class ParticleSums {
 public:
   static constexpr std::size_t columns = std::tuple_size_v<decltype(Mode::state)>;
   using T = Pack<double>;
   static constexpr std::size_t lanes = lanes_of<T>;
 
-  ParticleSums(Layout layout, const Grid<Dim>& grid, const Vec<Dim, double>& origin,
+  ParticleSums(KernelName kernel, Layout layout, const Grid<Dim>& grid, const Vec<Dim, double>& origin,
                const Particles<Dim, Real>& particles, const std::uint8_t* only)
-      : walk_(grid, layout), dx_squared_(grid.dx * grid.dx), origin_(origin), x_(pointers<Dim>(particles.x)),
-        v_(pointers<Dim>(particles.v)), A_(pointers<columns>(particles.A)), mass_(particles.m.data()), only_(only) {}
+      : kernel_(kernel), walk_(grid, layout), dx_squared_(grid.dx * grid.dx), origin_(origin),
+        x_(pointers<Dim>(particles.x)), v_(pointers<Dim>(particles.v)), A_(pointers<columns>(particles.A)),
+        mass_(particles.m.data()), only_(only) {}
 
   /// The particles [begin, end); of them only those that are marked, where there are marks.
   [[nodiscard]] Totals<Dim> operator()(std::size_t begin, std::size_t end) const {
     Sums sums;
-    for (std::size_t p = begin; p < end; p += lanes) {
-      const std::size_t many = std::min(lanes, end - p);
-      if (only_ && std::none_of(only_ + p, only_ + p + many, [](std::uint8_t mark) { return mark != 0; })) continue;
-      add(p, many, sums);
-    }
+    if (only_ && std::memchr(only_ + begin, 1, end - begin) == nullptr) return sums.totals();
+    std::size_t p = begin;
+    for (; p + lanes <= end; p += lanes) add(p, std::integral_constant<std::size_t, lanes>(), sums);
+    if (p < end) add(p, end - p, sums);
     return sums.totals();
   }
 
@@ -82,7 +76,8 @@ private:
     T energy = T(0);
   };
 
-  void add(std::size_t p, std::size_t many, Sums& sums) const {
+  /// `many` is known to the compiler for all but the last pack.
+  template <class Many> void add(std::size_t p, Many many, Sums& sums) const {
     const auto read = [&](const Real* column) { return load_in_double(column + p, many); };
     T m = read(mass_);
     if (many < lanes || only_) m = m * counted(p, many);
@@ -122,11 +117,13 @@ private:
   }
 
   /// What the affine modes add; momentum they have none. Products of axes carry energy only.
-  void add_affine(std::size_t p, std::size_t many, Shares& share) const {
+  template <class Many> void add_affine(std::size_t p, Many many, Shares& share) const {
     Moments own, other; // D on axis d, of component d and of the others, as in stencil.h
-    unrolled<Dim>([&]<int d>() {
-      own[d] = second_moment(x_[d] + p, many, Real(0));
-      other[d] = second_moment(x_[d] + p, many, walk_.offset);
+    with_kernel(kernel_, [&](auto kernel) {
+      unrolled<Dim>([&]<int d>() {
+        own[d] = second_moment(kernel, x_[d] + p, many, Real(0));
+        other[d] = second_moment(kernel, x_[d] + p, many, walk_.offset);
+      });
     });
     unrolled<Dim>([&]<int a>() {
       unrolled<Dim>([&]<int d>() {
@@ -139,8 +136,8 @@ private:
     });
   }
 
-  template <int a>
-  void add_products(std::size_t p, std::size_t many, const Moments& own, const Moments& other, Shares& share) const {
+  template <int a, class Many>
+  void add_products(std::size_t p, Many many, const Moments& own, const Moments& other, Shares& share) const {
     unrolled<(1 << Dim)>([&]<int s>() {
       if constexpr ((s & (s - 1)) != 0) {
         const T c = load_in_double(A_[static_cast<std::size_t>(a * ((1 << Dim) - 1) + s - 1)] + p, many);
@@ -154,7 +151,7 @@ private:
   }
 
   /// Mode::slope(a, d).
-  template <int a, int d> [[nodiscard]] T slope(std::size_t p, std::size_t many) const {
+  template <int a, int d, class Many> [[nodiscard]] T slope(std::size_t p, Many many) const {
     const auto read = [&](int column) { return load_in_double(A_[static_cast<std::size_t>(column)] + p, many); };
     if constexpr (Mode::mode == AffineMode::rigid)
       return cross_sign<Dim>(d, a) > 0 ? read(cross_axis<Dim>(d, a)) : -read(cross_axis<Dim>(d, a));
@@ -164,20 +161,13 @@ private:
       return read(a * ((1 << Dim) - 1) + (1 << d) - 1);
   }
 
-  /// D on an axis of a lattice with this origin, m^2; the fraction is the one that the transfers round to.
-  [[nodiscard]] T second_moment(const Real* x, std::size_t many, Real offset) const {
-    T at;
-    if constexpr (std::is_same_v<Real, double>) {
-      at = grid_position(load_in_double(x, many), walk_.inverse_dx) - T(offset);
-    } else {
-      std::array<double, lanes> q;
-      for (std::size_t l = 0; l < lanes; ++l)
-        q[l] = static_cast<double>(grid_position(x[l < many ? l : 0], walk_.inverse_dx) - offset);
-      at = T::load_unaligned(q.data());
-    }
+  /// D on an axis of a lattice with this origin, m^2; the place is the one that the transfers round to.
+  template <class K, class Many> [[nodiscard]] T second_moment(K, const Real* x, Many many, Real offset) const {
+    const T at = in_double(load_narrow(x, many) * walk_.inverse_dx + static_cast<Real>(Grid<Dim>::pad) - offset);
     return T(dx_squared_) * K::second_moment(at - K::base(at));
   }
 
+  KernelName kernel_;
   Walk<Dim, Real> walk_;
   double dx_squared_;
   Vec<Dim, double> origin_;
@@ -203,14 +193,12 @@ Totals<Dim> particle_totals(KernelName kernel, Layout layout, const Grid<Dim>& g
                             const Particles<Dim, Real>& particles, const Vec<Dim, double>& origin, Pool& pool,
                             const std::vector<std::uint8_t>* only) {
   return with_mode<Dim, Real>(particles.mode, [&](auto mode) {
-    return with_kernel(kernel, [&](auto k) {
-      const ParticleSums<decltype(mode), decltype(k), Dim, Real> sums(layout, grid, origin, particles,
-                                                                      only ? only->data() : nullptr);
-      return pool.sum(static_cast<std::int64_t>(particles.size()), particles_per_chunk, Totals<Dim>(),
-                      [&](std::int64_t begin, std::int64_t end) {
-                        return sums(static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
-                      });
-    });
+    const ParticleSums<decltype(mode), Dim, Real> sums(kernel, layout, grid, origin, particles,
+                                                       only ? only->data() : nullptr);
+    return pool.sum(static_cast<std::int64_t>(particles.size()), particles_per_chunk, Totals<Dim>(),
+                    [&](std::int64_t begin, std::int64_t end) {
+                      return sums(static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
+                    });
   });
 }
 
@@ -218,23 +206,30 @@ namespace {
 
 /// sum m, m u, m u^2 and i m u along a stretch of a row of samples.
 struct RowSums {
-  Lanes m, mu, muu, imu;
+  using T = Pack<double>;
+  T m = T(0), mu = T(0), muu = T(0), imu = T(0);
 
-  template <class Real> void add(const Real* mass, const Real* velocity, int begin, int end) {
-    constexpr auto step = static_cast<int>(Lanes::count);
-    int i = begin;
-    for (; i + step <= end; i += step)
-      for (int l = 0; l < step; ++l) add(static_cast<std::size_t>(l), mass[i + l], velocity[i + l], i + l);
-    for (; i < end; ++i) add(0, mass[i], velocity[i], i);
+  template <class Real> RowSums(const Real* mass, const Real* velocity, int begin, int end) {
+    constexpr auto step = static_cast<int>(lanes_of<T>);
+    std::array<double, lanes_of<T>> at;
+    for (std::size_t l = 0; l < at.size(); ++l) at[l] = begin + static_cast<int>(l);
+    T i = T::load_unaligned(at.data());
+    int k = begin;
+    for (; k + step <= end; k += step, i += T(step)) add(in_double(load_narrow(mass + k, step)), velocity + k, step, i);
+    if (k == end) return;
+    std::array<double, lanes_of<T>> last{};
+    for (std::size_t l = 0; k + static_cast<int>(l) < end; ++l)
+      last[l] = static_cast<double>(mass[k + static_cast<int>(l)]);
+    add(T::load_unaligned(last.data()), velocity + k, static_cast<std::size_t>(end - k), i);
   }
 
 private:
-  template <class Real> void add(std::size_t lane, Real mass, Real velocity, int i) {
-    const double a = static_cast<double>(mass), u = static_cast<double>(velocity), au = a * u;
-    m.sum[lane] += a;
-    mu.sum[lane] += au;
-    muu.sum[lane] += au * u;
-    imu.sum[lane] += i * au;
+  template <class Real> void add(const T& mass, const Real* velocity, std::size_t many, const T& i) {
+    const T u = load_in_double(velocity, many), au = mass * u;
+    m += mass;
+    mu += au;
+    muu += au * u;
+    imu += i * au;
   }
 };
 
@@ -270,23 +265,22 @@ Totals<Dim> grid_totals(Layout layout, const Grid<Dim>& grid, const Components<D
   const auto add_row = [&](int a, const Index<Dim>& i, Totals<Dim>& sum) {
     const auto c = static_cast<std::size_t>(a);
     const std::ptrdiff_t row = grid.at(i);
-    RowSums s;
     int begin = lo[0], end = hi[0];
     if (stretches) {
       const auto& [first, last] = stretches->of[c][static_cast<std::size_t>(row / extent[0])];
       begin = std::max(begin, first), end = std::min(end, last);
       if (begin >= end) return;
     }
-    s.add(m[c].data() + row, u[c].data() + row, begin, end);
-    const double momentum = s.mu.total();
-    sum.mass += s.m.total() / Dim;
+    const RowSums s(m[c].data() + row, u[c].data() + row, begin, end);
+    const double momentum = sum_of(s.mu);
+    sum.mass += sum_of(s.m) / Dim;
     sum.momentum[a] += momentum;
-    sum.kinetic_energy += s.muu.total() / 2;
+    sum.kinetic_energy += sum_of(s.muu) / 2;
     const Vec<Dim, double> lattice = component_origin<Dim, double>(layout, a);
     for (int d = 0; d < Dim; ++d) {
       if (d == a) continue;
       const double first = grid.dx * ((i[d] - Grid<Dim>::pad) + lattice[d]) - origin[d]; // of x_d - origin in the row
-      const double moment = first * momentum + (d == 0 ? grid.dx * s.imu.total() : 0.0);
+      const double moment = first * momentum + (d == 0 ? grid.dx * sum_of(s.imu) : 0.0);
       sum.angular_momentum[cross_axis<Dim>(d, a)] += cross_sign<Dim>(d, a) * moment;
     }
   };
