@@ -22,13 +22,16 @@ Results run(const PropositionOptions& options, int threads = 2) {
 
 void expect_pass(const Results& rows) {
   ASSERT_FALSE(rows.empty());
+  std::map<std::string, bool> rounds; // by statement: does any of its rows?
   for (const auto& r : rows) {
     EXPECT_TRUE(r.passed) << r.id << " " << r.scheme << " " << r.statement << ", " << r.kernel << " " << r.layout << " "
                           << r.dim << "D " << r.precision << ": " << r.error << " against " << r.bound;
-    // A transfer that rounds nothing was not run; only sums of positive numbers may happen to round alike, and a drift
-    // over many cycles may happen to end where it began.
-    EXPECT_TRUE(r.error != 0 || r.id == "M.1" || r.id == "E.3" || r.cycles > 1) << r.id;
+    rounds[r.id + " " + r.scheme] |= r.error != 0;
   }
+  // Two sums may happen to round alike, but not in every kernel, lattice, dimension and precision: a transfer that
+  // rounds nothing was not run. Of sums of positive numbers that is less sure.
+  for (const auto& [statement, any] : rounds)
+    EXPECT_TRUE(any || statement.starts_with("M.1") || statement.starts_with("E.3")) << statement;
 }
 
 class EachSeed : public testing::TestWithParam<int> {};
