@@ -256,6 +256,11 @@ struct Pool::State {
 Pool::Pool(Budget& budget) : budget_(budget), state_(new State{budget, *budget.state_, {}, {}, {}, {}, 0, {}, {}}) {
   State& s = *state_;
   const std::scoped_lock lock(s.permits.mutex);
+  // Room for the loops that threads are inside of, so that who sleeps when decides nothing about memory.
+  const std::size_t most = 16 * static_cast<std::size_t>(budget.threads());
+  s.open.reserve(most);
+  s.waiting.reserve(most);
+  s.permits.sleepers.reserve(s.permits.sleepers.size() + most);
   s.permits.sleepers.push_back(&s.idle);
   for (int i = 1; i < budget.threads(); ++i) s.workers.emplace_back([&s] { s.worker(); });
 }

@@ -8,6 +8,8 @@
 // run side by side, and threads that find no variant to run help inside the loops of the others.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -78,11 +80,14 @@ public:
 
   /// Sum of body(begin, end) over chunks of `grain`, added in chunk order.
   template <class T, class Body> [[nodiscard]] T sum(std::int64_t count, std::int64_t grain, T zero, Body&& body) {
-    std::vector<T> part(static_cast<std::size_t>((count + grain - 1) / grain), zero);
+    const auto chunks = static_cast<std::size_t>((count + grain - 1) / grain);
+    std::array<T, std::max<std::size_t>(1, 16384 / sizeof(T))> near; // usually enough: a step allocates nothing
+    std::vector<T> far(chunks > near.size() ? chunks : 0);
+    T* part = far.empty() ? near.data() : far.data();
     ranges(count, grain,
            [&](std::int64_t b, std::int64_t e) { part[static_cast<std::size_t>(b / grain)] = body(b, e); });
     T total = zero;
-    for (const T& x : part) total += x;
+    for (std::size_t c = 0; c < chunks; ++c) total += part[c];
     return total;
   }
 

@@ -29,8 +29,8 @@ Account::Account(std::vector<LedgerTable::Quantity> quantities, std::vector<Ledg
   since_.assign(entries, 0);
 }
 
-void Account::open(const Numbers& held) {
-  held_ = held;
+void Account::open(std::span<const double> held) {
+  held_.assign(held.begin(), held.end());
   for (std::size_t q = 0; q < held.size(); ++q) table_.quantities[q].start = held[q];
   close_row();
 }
@@ -39,7 +39,7 @@ void Account::begin_step() {
   std::fill(table_.step.begin(), table_.step.end(), 0.0);
 }
 
-void Account::book(std::size_t stage, const Numbers& held) {
+void Account::book(std::size_t stage, std::span<const double> held) {
   for (std::size_t q = 0; q < held_.size(); ++q) {
     const double change = held[q] - std::exchange(held_[q], held[q]);
     const std::size_t at = table_.at(stage, q);

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace flipbook {
@@ -22,10 +23,10 @@ public:
   Account(std::vector<LedgerTable::Quantity> quantities, std::vector<LedgerTable::Stage> stages, bool each_step);
 
   /// What is held at the start, which is the first row.
-  void open(const Numbers& held);
+  void open(std::span<const double> held);
   void begin_step();
   /// Books the difference from what was held before to the stage. Stages may come in any order, and more than once.
-  void book(std::size_t stage, const Numbers& held);
+  void book(std::size_t stage, std::span<const double> held);
   /// `steps` and `time` at the end of the step.
   void end_step(std::uint64_t steps, double time);
 

@@ -13,7 +13,7 @@ namespace flipbook {
 namespace {
 
 constexpr std::int64_t particles_per_chunk = 1 << 12;
-constexpr std::int64_t rows_per_chunk = 64;
+constexpr std::int64_t samples_per_chunk = 1 << 15;
 
 /// body<0>(), body<1>(), .. body<N - 1>(): nothing is left of the loop, and compilers work on several particles at
 /// once.
@@ -192,6 +192,7 @@ template <int Dim, class Real>
 Totals<Dim> particle_totals(KernelName kernel, Layout layout, const Grid<Dim>& grid,
                             const Particles<Dim, Real>& particles, const Vec<Dim, double>& origin, Pool& pool,
                             const std::vector<std::uint8_t>* only) {
+  if (only && std::memchr(only->data(), 1, only->size()) == nullptr) return {};
   return with_mode<Dim, Real>(particles.mode, [&](auto mode) {
     const ParticleSums<decltype(mode), Dim, Real> sums(kernel, layout, grid, origin, particles,
                                                        only ? only->data() : nullptr);
@@ -241,15 +242,16 @@ void Stretches<Dim, Real>::find(const Grid<Dim>& grid, const Components<Dim, Rea
   const auto rows = static_cast<std::size_t>(grid.size() / length);
   for (std::size_t a = 0; a < Dim; ++a) {
     of[a].resize(rows);
-    pool.ranges(static_cast<std::int64_t>(rows), rows_per_chunk, [&](std::int64_t begin, std::int64_t end) {
-      for (std::int64_t row = begin; row < end; ++row) {
-        const Real* mass = m[a].data() + row * length;
-        int first = 0, last = length;
-        while (first < last && !(mass[first] > 0)) ++first;
-        while (last > first && !(mass[last - 1] > 0)) --last;
-        of[a][static_cast<std::size_t>(row)] = {first, last};
-      }
-    });
+    pool.ranges(static_cast<std::int64_t>(rows), 1 + samples_per_chunk / length,
+                [&](std::int64_t begin, std::int64_t end) {
+                  for (std::int64_t row = begin; row < end; ++row) {
+                    const Real* mass = m[a].data() + row * length;
+                    int first = 0, last = length;
+                    while (first < last && !(mass[first] > 0)) ++first;
+                    while (last > first && !(mass[last - 1] > 0)) --last;
+                    of[a][static_cast<std::size_t>(row)] = {first, last};
+                  }
+                });
   }
 }
 
@@ -284,20 +286,21 @@ Totals<Dim> grid_totals(Layout layout, const Grid<Dim>& grid, const Components<D
       sum.angular_momentum[cross_axis<Dim>(d, a)] += cross_sign<Dim>(d, a) * moment;
     }
   };
-  return pool.sum(grid.size() / extent[0], rows_per_chunk, Totals<Dim>(), [&](std::int64_t begin, std::int64_t end) {
-    Totals<Dim> part;
-    for (std::int64_t row = begin; row < end; ++row) {
-      Index<Dim> i = Index<Dim>::Zero();
-      bool counted = true;
-      std::int64_t rest = row;
-      for (int d = 1; d < Dim; rest /= extent[d], ++d) {
-        i[d] = static_cast<int>(rest % extent[d]);
-        counted = counted && i[d] >= lo[d] && i[d] < hi[d];
-      }
-      for (int a = 0; counted && a < Dim; ++a) add_row(a, i, part);
-    }
-    return part;
-  });
+  return pool.sum(grid.size() / extent[0], 1 + samples_per_chunk / extent[0], Totals<Dim>(),
+                  [&](std::int64_t begin, std::int64_t end) {
+                    Totals<Dim> part;
+                    for (std::int64_t row = begin; row < end; ++row) {
+                      Index<Dim> i = Index<Dim>::Zero();
+                      bool counted = true;
+                      std::int64_t rest = row;
+                      for (int d = 1; d < Dim; rest /= extent[d], ++d) {
+                        i[d] = static_cast<int>(rest % extent[d]);
+                        counted = counted && i[d] >= lo[d] && i[d] < hi[d];
+                      }
+                      for (int a = 0; counted && a < Dim; ++a) add_row(a, i, part);
+                    }
+                    return part;
+                  });
 }
 
 #define FLIPBOOK_INSTANTIATE(Dim, Real)                                                                                \

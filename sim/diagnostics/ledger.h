@@ -37,7 +37,7 @@ template <int Dim> struct Totals {
 };
 
 /// `origin` is a point in the particles' coordinates (metres from the lower corner of the domain). With `only`, the
-/// particles that are marked there (one byte each).
+/// particles that are marked there (a 1 for each, else 0).
 template <int Dim, class Real>
 [[nodiscard]] Totals<Dim> particle_totals(KernelName kernel, Layout layout, const Grid<Dim>& grid,
                                           const Particles<Dim, Real>& particles, const Vec<Dim, double>& origin,

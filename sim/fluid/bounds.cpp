@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How long a step may be, and whether it went well.
 #include "sim/fluid/fluid_solver.h"
+#include "sim/fluid/largest.h"
 
 #include <algorithm>
 #include <array>
@@ -8,27 +9,6 @@
 
 namespace flipbook {
 namespace {
-
-/// A maximum for Pool::sum.
-template <class Real> struct Largest {
-  Real value = 0;
-  void operator+=(const Largest& other) { value = std::max(value, other.value); }
-};
-
-/// The largest value(i) of [begin, end), or 0: maxima side by side, which a processor takes at once.
-template <class Real, class Value> Largest<Real> largest(std::int64_t begin, std::int64_t end, Value&& value) {
-  constexpr std::int64_t count = 8;
-  std::array<Real, count> most{};
-  std::int64_t i = begin;
-  for (; i + count <= end; i += count)
-    for (std::int64_t l = 0; l < count; ++l) {
-      const Real x = value(static_cast<std::size_t>(i + l));
-      Real& m = most[static_cast<std::size_t>(l)];
-      m = m < x ? x : m;
-    }
-  for (; i < end; ++i) most[0] = std::max(most[0], value(static_cast<std::size_t>(i)));
-  return {*std::max_element(most.begin(), most.end())};
-}
 
 template <class Real> bool all_finite(const Real* begin, const Real* end) {
   constexpr std::ptrdiff_t count = 8;

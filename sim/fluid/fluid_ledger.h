@@ -77,13 +77,12 @@ public:
 
 private:
   using Numbers = std::array<double, quantities>;
-  using Held = Account::Numbers;
-  [[nodiscard]] Held row(const Totals<Dim>& totals, double potential_energy) const;
-  [[nodiscard]] Held on_particles(const FluidState<Dim, Real>& state, Pool& pool) const;
-  [[nodiscard]] Held on_grid(const FluidState<Dim, Real>& state, const Components<Dim, Real>& u, Pool& pool) const;
+  [[nodiscard]] Numbers row(const Totals<Dim>& totals, double potential_energy) const;
+  [[nodiscard]] Numbers on_particles(const FluidState<Dim, Real>& state, Pool& pool) const;
+  [[nodiscard]] Numbers on_grid(const FluidState<Dim, Real>& state, const Components<Dim, Real>& u, Pool& pool) const;
   [[nodiscard]] Totals<Dim> totals(const FluidState<Dim, Real>& state, const std::vector<std::uint8_t>* only,
                                    Pool& pool) const;
-  void book(Stage stage, const Held& now);
+  void book(Stage stage, const Numbers& now);
 
   void judge(Stage stage, const FluidState<Dim, Real>& state, Gather gather);
   void judge_gather(const FluidState<Dim, Real>& state, Gather gather);

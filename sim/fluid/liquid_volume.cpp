@@ -2,6 +2,7 @@
 #include "sim/fluid/liquid_volume.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -9,28 +10,33 @@
 namespace flipbook {
 namespace {
 
-/// phi and its gradient times dx in the middle of one of the 2^Dim parts of a cell: bit d of `part` is set for the
-/// upper half along d. The centres around it are the cell's own and those half way beyond that part.
-template <int Dim, class Real>
-double share_of_part(const Grid<Dim>& grid, const Field<Real>& phi, std::size_t cell, int part) {
-  double value = 0;
+/// phi somewhere between the centres of cells, and how much it grows over a cell along each axis.
+template <int Dim> struct Linear {
+  double value;
   std::array<double, Dim> slope{};
-  for (int corner = 0; corner < 1 << Dim; ++corner) {
-    auto at = static_cast<std::ptrdiff_t>(cell);
-    double weight = 1;
-    std::array<double, Dim> weight_slope;
-    weight_slope.fill(1);
-    for (int d = 0; d < Dim; ++d) {
-      const bool beyond = corner >> d & 1;
-      if (beyond) at += (part >> d & 1 ? 1 : -1) * grid.stride(d);
-      weight *= beyond ? 0.25 : 0.75;
-      for (int e = 0; e < Dim; ++e)
-        weight_slope[static_cast<std::size_t>(e)] *= e == d ? (beyond ? 1.0 : -1.0) : beyond ? 0.25 : 0.75;
-    }
-    const auto here = static_cast<double>(phi[static_cast<std::size_t>(at)]);
-    value += weight * here;
-    for (std::size_t d = 0; d < Dim; ++d) slope[d] += weight_slope[d] * here;
+};
+
+/// In the middle of one of the 2^Dim parts of the cell at *phi: bit d of `part` is set for the upper half along d. The
+/// centres around it are the cell's own and those half way beyond that part.
+template <int Axis, int Dim, class Real>
+Linear<Dim> in_part(const std::array<std::ptrdiff_t, Dim>& stride, const Real* phi, unsigned part) {
+  if constexpr (Axis < 0) {
+    return {static_cast<double>(*phi)};
+  } else {
+    const std::ptrdiff_t beyond = part >> Axis & 1 ? stride[Axis] : -stride[Axis];
+    Linear<Dim> here = in_part<Axis - 1, Dim>(stride, phi, part);
+    const Linear<Dim> there = in_part<Axis - 1, Dim>(stride, phi + beyond, part);
+    here.slope[Axis] = there.value - here.value;
+    here.value = 0.75 * here.value + 0.25 * there.value;
+    for (std::size_t d = 0; d < Axis; ++d) here.slope[d] = 0.75 * here.slope[d] + 0.25 * there.slope[d];
+    return here;
   }
+}
+
+/// The share of a part that is liquid.
+template <int Dim, class Real>
+double share_of_part(const std::array<std::ptrdiff_t, Dim>& stride, const Real* phi, unsigned part) {
+  const auto [value, slope] = in_part<Dim - 1, Dim>(stride, phi, part);
   double across = 0; // how much phi differs between the sides of the part, at most
   for (const double s : slope) across += std::abs(s) / 2;
   if (across == 0) return value < 0 ? 1 : 0;
@@ -84,6 +90,8 @@ template <int Dim, class Real> double liquid_volume(const FluidState<Dim, Real>&
   Box<Dim> rows = cells_of(s.grid);
   const int lo = rows.lo[0], hi = rows.hi[0];
   rows.hi[0] = lo + 1;
+  std::array<std::ptrdiff_t, Dim> stride;
+  for (int d = 0; d < Dim; ++d) stride[static_cast<std::size_t>(d)] = s.grid.stride(d);
   const double cells = pool.sum(detail::rows_of(rows), 16, 0.0, [&](std::int64_t begin, std::int64_t end) {
     double sum = 0;
     RowRange<Real> range(lo, hi);
@@ -95,7 +103,8 @@ template <int Dim, class Real> double liquid_volume(const FluidState<Dim, Real>&
         if (const auto [least, most] = range.around(i); least < 0 && -most >= Dim * (most - least) / 4)
           share = 1;
         else if (least < Dim * (most - least) / 4)
-          for (int part = 0; part < 1 << Dim; ++part) share += share_of_part(s.grid, s.phi, at, part) / (1 << Dim);
+          for (unsigned part = 0; part < 1U << Dim; ++part)
+            share += share_of_part<Dim>(stride, s.phi.data() + at, part) / (1 << Dim);
         if (share > 0 && !s.solids.none()) share *= open_share(s, at);
         sum += share;
       }

@@ -12,19 +12,19 @@ using testing::ElementsAre;
 
 Account account(bool each_step = false) {
   Account a({{"mass", "mass", "kg"}, {"kinetic", "kinetic", "J"}}, {{"a", "A"}, {"b", "B"}, {"c", "C"}}, each_step);
-  a.open({10, 4});
+  a.open(Account::Numbers{10, 4});
   return a;
 }
 
 TEST(Account, BooksDifferencesToStages) {
   Account a = account();
   a.begin_step();
-  a.book(0, {11, 4});
-  a.book(2, {11, 1});
-  a.book(0, {9, 1}); // a stage may come again
+  a.book(0, Account::Numbers{11, 4});
+  a.book(2, Account::Numbers{11, 1});
+  a.book(0, Account::Numbers{9, 1}); // a stage may come again
   a.end_step(1, 0.5);
   a.begin_step();
-  a.book(2, {9, 2});
+  a.book(2, Account::Numbers{9, 2});
   a.end_step(2, 1);
   const LedgerTable t = a.publish({true, true, true});
   EXPECT_THAT(t.step, ElementsAre(0, 0, 0, 0, 0, 1));
@@ -38,10 +38,10 @@ TEST(Account, BooksDifferencesToStages) {
 TEST(Account, RowsHoldWhatChangedSinceTheRowBefore) {
   Account a = account();
   a.begin_step();
-  a.book(1, {10, 5});
+  a.book(1, Account::Numbers{10, 5});
   a.end_step(1, 0.5);
   a.begin_step();
-  a.book(1, {10, 7});
+  a.book(1, Account::Numbers{10, 7});
   a.end_step(2, 1);
   const LedgerTable t = a.publish({true, true, true});
   ASSERT_EQ(t.accounts.size(), 2U);
@@ -56,7 +56,7 @@ TEST(Account, ARowForEachStepWhereAskedFor) {
   Account a = account(true);
   for (int i = 1; i <= 3; ++i) {
     a.begin_step();
-    a.book(0, {10.0 + i, 4});
+    a.book(0, Account::Numbers{10.0 + i, 4});
     a.end_step(static_cast<std::uint64_t>(i), i);
   }
   const LedgerTable t = a.publish({true, false, false});
@@ -67,7 +67,7 @@ TEST(Account, ARowForEachStepWhereAskedFor) {
 TEST(Account, PublishesTheMarkedStagesOnly) {
   Account a = account();
   a.begin_step();
-  a.book(2, {10, 1});
+  a.book(2, Account::Numbers{10, 1});
   a.judge(2, 1, true);
   a.end_step(1, 1);
   const LedgerTable t = a.publish({true, false, true});
