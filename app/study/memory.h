@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How much memory a run needs, told before it takes any: a machine that swaps or kills helps nobody.
 //
-// The estimate, for each variant: particles x bytes + cells x bytes, where the particles are the volume of the bodies
-// (sampled) times seeding.per_axis^dim in a cell, and the rows of files. What each costs is counted from the arrays
-// that a run holds, see memory.cpp; pictures and queues are bounded and left out.
+// The estimate, for each variant: particles x bytes + samples x bytes + liquid cells x bytes, where the particles are
+// the volume of the bodies (sampled) times seeding.per_axis^dim in a cell, and the rows of files. What each costs is
+// counted from the arrays that a run holds, see memory.cpp; pictures and queues are bounded and left out.
 #pragma once
 
 #include "app/study/resolve.h"
