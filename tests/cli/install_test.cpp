@@ -98,8 +98,8 @@ TEST_F(Installed, IsAPackageThatAnotherProgramBuildsOn) {
   const Folder f;
   const std::string source = FLIPBOOK_SOURCE_DIR "/tests/consumer";
   const Outcome configured =
-      run_other({FLIPBOOK_CMAKE, "-S", source, "-B", "build", "-DCMAKE_PREFIX_PATH=" + place().string(),
-                 "-DCMAKE_CXX_COMPILER=" FLIPBOOK_COMPILER},
+      run_other({FLIPBOOK_CMAKE, "-G", FLIPBOOK_GENERATOR, "-S", source, "-B", "build",
+                 "-DCMAKE_PREFIX_PATH=" + place().string(), "-DCMAKE_CXX_COMPILER=" FLIPBOOK_COMPILER},
                 f.path());
   ASSERT_EQ(configured.code, 0) << configured.err;
   const Outcome built = run_other({FLIPBOOK_CMAKE, "--build", "build"}, f.path());
