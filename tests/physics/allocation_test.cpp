@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdlib>
 #include <new>
@@ -30,6 +32,10 @@ void* operator new(std::size_t size) {
 }
 void* operator new(std::size_t size, std::align_val_t alignment) {
   return counted(size, static_cast<std::size_t>(alignment));
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { // else a sanitizer's own, and ours deletes it
+  ++allocations;
+  return std::malloc(std::max<std::size_t>(size, 1));
 }
 void operator delete(void* p) noexcept {
   std::free(p);
