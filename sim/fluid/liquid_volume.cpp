@@ -11,7 +11,7 @@ namespace flipbook {
 namespace {
 
 /// phi somewhere between the centres of cells, and how much it grows over a cell along each axis.
-template <int Dim> struct Linear {
+template <int Dim> struct Local {
   double value;
   std::array<double, Dim> slope{};
 };
@@ -19,13 +19,13 @@ template <int Dim> struct Linear {
 /// In the middle of one of the 2^Dim parts of the cell at *phi: bit d of `part` is set for the upper half along d. The
 /// centres around it are the cell's own and those half way beyond that part.
 template <int Axis, int Dim, class Real>
-Linear<Dim> in_part(const std::array<std::ptrdiff_t, Dim>& stride, const Real* phi, unsigned part) {
+Local<Dim> in_part(const std::array<std::ptrdiff_t, Dim>& stride, const Real* phi, unsigned part) {
   if constexpr (Axis < 0) {
     return {static_cast<double>(*phi)};
   } else {
     const std::ptrdiff_t beyond = part >> Axis & 1 ? stride[Axis] : -stride[Axis];
-    Linear<Dim> here = in_part<Axis - 1, Dim>(stride, phi, part);
-    const Linear<Dim> there = in_part<Axis - 1, Dim>(stride, phi + beyond, part);
+    Local<Dim> here = in_part<Axis - 1, Dim>(stride, phi, part);
+    const Local<Dim> there = in_part<Axis - 1, Dim>(stride, phi + beyond, part);
     here.slope[Axis] = there.value - here.value;
     here.value = 0.75 * here.value + 0.25 * there.value;
     for (std::size_t d = 0; d < Axis; ++d) here.slope[d] = 0.75 * here.slope[d] + 0.25 * there.slope[d];
