@@ -15,8 +15,9 @@
 namespace flipbook {
 namespace {
 
-/// How long a thread without work looks for some before it sleeps: about 20 us, the price of waking it up again.
-constexpr int spin_limit = 400;
+/// How long a thread without work looks for some before it sleeps: about 200 us, the serial stretches between the loops
+/// of a small step. Waking it costs 20 us and more on a virtual machine.
+constexpr int spin_limit = 4000;
 
 void relax() {
 #if defined(__x86_64__) || defined(__i386__)

@@ -40,14 +40,22 @@ public:
   /// The particles [begin, end); of them only those that are marked, where there are marks.
   [[nodiscard]] Totals<Dim> operator()(std::size_t begin, std::size_t end) const {
     Sums sums;
-    if (only_ && std::memchr(only_ + begin, 1, end - begin) == nullptr) return sums.totals();
-    std::size_t p = begin;
-    for (; p + lanes <= end; p += lanes) add(p, std::integral_constant<std::size_t, lanes>(), sums);
+    std::size_t p = next(begin, begin, end);
+    for (; p + lanes <= end; p = next(p + lanes, begin, end)) add(p, std::integral_constant<std::size_t, lanes>(), sums);
     if (p < end) add(p, end - p, sums);
     return sums.totals();
   }
 
 private:
+  /// The pack at or after p with a particle that counts; packs begin at multiples of the lanes after `begin`.
+  [[nodiscard]] std::size_t next(std::size_t p, std::size_t begin, std::size_t end) const {
+    if (!only_ || p >= end) return p;
+    const void* marked = std::memchr(only_ + p, 1, end - p);
+    if (marked == nullptr) return end;
+    const auto at = static_cast<std::size_t>(static_cast<const std::uint8_t*>(marked) - only_);
+    return at - (at - begin) % lanes;
+  }
+
   using Moments = std::array<T, Dim>;
   struct Sums {
     T mass = T(0), energy = T(0); ///< twice the energy
