@@ -25,9 +25,10 @@ public:
     }
   }
 
-  /// x after the step; true if any met a wall.
-  [[nodiscard]] bool operator()(Point& x) const {
-    const Point k1 = velocity_(x);
+  [[nodiscard]] Point velocity(const Point& x) const { return velocity_(x); }
+
+  /// x after the step, which begins with the velocity k1; true if any met a wall.
+  [[nodiscard]] bool operator()(Point& x, const Point& k1) const {
     if (method_ == Advection::rk1) {
       move(x, dt_, k1);
     } else {
@@ -102,7 +103,7 @@ bool fly(const Walls<Dim, Real>& walls, Real dt, Particles<Dim, Real>& particles
 template <int Dim, class Real>
 bool advect(Advection method, KernelName kernel, const Grid<Dim>& grid, const Walls<Dim, Real>& walls,
             const Components<Dim, Real>& u, double dt, const std::vector<std::uint8_t>& ballistic,
-            Particles<Dim, Real>& particles, Pool& pool) {
+            Particles<Dim, Real>& particles, Pool& pool, FirstStage first) {
   return with_kernel(kernel, [&](auto k) {
     const Interpolator<decltype(k), Dim, Real> velocity(Layout::mac, grid, u);
     const Mover<decltype(velocity), Dim, Real> mover(method, velocity, grid, walls, dt);
@@ -112,9 +113,13 @@ bool advect(Advection method, KernelName kernel, const Grid<Dim>& grid, const Wa
       for (auto p = static_cast<std::size_t>(begin); p < last; p += lanes_of<Pack<Real>>) {
         const Lanes<Real> lanes(p, last - p, ballistic.data());
         if (!lanes.all_skipped()) {
-          std::array<Pack<Real>, Dim> x;
-          for (std::size_t d = 0; d < Dim; ++d) x[d] = lanes.read(particles.x[d].data());
-          wall_met |= mover(x);
+          const auto read = [&](const auto& columns) {
+            std::array<Pack<Real>, Dim> pack;
+            for (std::size_t d = 0; d < Dim; ++d) pack[d] = lanes.read(columns[d].data());
+            return pack;
+          };
+          auto x = read(particles.x);
+          wall_met |= mover(x, first == FirstStage::own_velocity ? read(particles.v) : mover.velocity(x));
           for (std::size_t d = 0; d < Dim; ++d) lanes.write(x[d], particles.x[d].data());
         }
         lanes.each_skipped([&](std::size_t q) { wall_met |= fly(walls, static_cast<Real>(dt), particles, q); });
@@ -139,7 +144,7 @@ void accelerate_ballistic(const std::array<double, 3>& gravity, double dt, const
 
 #define FLIPBOOK_ADVECT(Dim, Real)                                                                                     \
   template bool advect(Advection, KernelName, const Grid<Dim>&, const Walls<Dim, Real>&, const Components<Dim, Real>&, \
-                       double, const std::vector<std::uint8_t>&, Particles<Dim, Real>&, Pool&);                        \
+                       double, const std::vector<std::uint8_t>&, Particles<Dim, Real>&, Pool&, FirstStage);            \
   template void accelerate_ballistic(const std::array<double, 3>&, double, const std::vector<std::uint8_t>&,           \
                                      Particles<Dim, Real>&, Pool&);
 FLIPBOOK_ADVECT(2, float)

@@ -13,11 +13,14 @@
 
 namespace flipbook {
 
+/// Where k1 = u(x) comes from: right after a G2P that only gathers, v_p holds it already.
+enum class FirstStage { looked_up, own_velocity };
+
 /// Returns whether a particle met a wall.
 template <int Dim, class Real>
 bool advect(Advection method, KernelName kernel, const Grid<Dim>& grid, const Walls<Dim, Real>& walls,
             const Components<Dim, Real>& u, double dt, const std::vector<std::uint8_t>& ballistic,
-            Particles<Dim, Real>& particles, Pool& pool);
+            Particles<Dim, Real>& particles, Pool& pool, FirstStage first = FirstStage::looked_up);
 
 /// v <- v + dt g for ballistic particles, which no grid sees.
 template <int Dim, class Real>

@@ -135,22 +135,22 @@ template <int Dim, class Real> std::span<const ChannelSource<Dim, Real>> channel
 }
 
 template <int Dim, class Real>
-std::vector<LatticeData> lattices(const FluidState<Dim, Real>& s, const FrameRequest& request) {
+std::vector<LatticeData> lattices(const FluidState<Dim, Real>& s, const FrameRequest& request, Pool& pool) {
   std::vector<LatticeData> found;
   const Vec<Dim, double> centre = Vec<Dim, double>::Constant(0.5);
   if (request.faces)
     for (int a = 0; a < Dim; ++a)
       found.push_back(lattice(s.grid, faces_of(s.grid, a), std::string(1, "uvw"[a]),
-                              component_origin<Dim, double>(Layout::mac, a), s.u[static_cast<std::size_t>(a)]));
-  if (request.phi) found.push_back(lattice(s.grid, cells_of(s.grid), "phi", centre, s.phi));
-  if (request.pressure) found.push_back(lattice(s.grid, cells_of(s.grid), "p", centre, s.p));
+                              component_origin<Dim, double>(Layout::mac, a), s.u[static_cast<std::size_t>(a)], pool));
+  if (request.phi) found.push_back(lattice(s.grid, cells_of(s.grid), "phi", centre, s.phi, pool));
+  if (request.pressure) found.push_back(lattice(s.grid, cells_of(s.grid), "p", centre, s.p, pool));
   return found;
 }
 
 #define FLIPBOOK_CHANNELS(Dim, Real)                                                                                   \
   template std::span<const ChannelSource<Dim, Real>> channel_sources<Dim, Real>();                                     \
   template std::vector<float> noise_of(const FluidState<Dim, Real>&, Pool&);                                           \
-  template std::vector<LatticeData> lattices(const FluidState<Dim, Real>&, const FrameRequest&);
+  template std::vector<LatticeData> lattices(const FluidState<Dim, Real>&, const FrameRequest&, Pool&);
 FLIPBOOK_CHANNELS(2, float)
 FLIPBOOK_CHANNELS(2, double)
 FLIPBOOK_CHANNELS(3, float)

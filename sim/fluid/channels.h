@@ -29,6 +29,7 @@ template <int Dim, class Real>
 
 /// The lattices that a request asks for.
 template <int Dim, class Real>
-[[nodiscard]] std::vector<LatticeData> lattices(const FluidState<Dim, Real>& state, const FrameRequest& request);
+[[nodiscard]] std::vector<LatticeData> lattices(const FluidState<Dim, Real>& state, const FrameRequest& request,
+                                                Pool& pool);
 
 } // namespace flipbook

@@ -10,7 +10,7 @@ namespace {
 constexpr std::int64_t faces_per_chunk = 1 << 14;
 
 /// Grows one component by a layer. `known` is only read, `next` and the faces of the layer only written: rows may be
-/// taken in any order.
+/// taken in any order, of all components at once.
 template <int Dim, class Real> struct Layer {
   const Grid<Dim>& grid;
   const Walls<Dim, Real>& walls;
@@ -72,24 +72,17 @@ private:
   }
 };
 
-template <int Dim, class Real>
-void extrapolate(const Grid<Dim>& grid, const Walls<Dim, Real>& walls, int a, std::vector<std::uint8_t>& known,
-                 std::vector<std::uint8_t>& next, int layers, Field<Real>& u, Pool& pool) {
-  Box<Dim> box = faces_of(grid, a), rows;
+/// The faces of a component that are faces of their own.
+template <int Dim, class Real> Box<Dim> faces_of(const Grid<Dim>& grid, const Walls<Dim, Real>& walls, int a) {
+  Box<Dim> box = faces_of(grid, a);
   if (walls.periodic(a)) --box.hi[a]; // the upper side is the lower one
-  rows = box;
-  rows.hi[0] = rows.lo[0] + 1;
-  next.resize(known.size()); // its pads are 0, as those of `known`, or filled below
-  const std::int64_t grain = std::max<std::int64_t>(1, faces_per_chunk / (box.hi[0] - box.lo[0]));
-  for (int l = 0; l < layers; ++l) {
-    walls.wrap_cells(known);
-    Layer<Dim, Real> layer{grid, walls, box, known.data(), next.data(), u};
-    for (int d = 0; d < Dim; ++d) layer.stride[static_cast<std::size_t>(d)] = grid.stride(d);
-    pool.ranges(detail::rows_of(rows), grain, [&](std::int64_t begin, std::int64_t end) {
-      detail::each_in_rows(grid, rows, begin, end, [&](const Index<Dim>& i, std::size_t at) { layer.grow(i, at); });
-    });
-    known.swap(next);
-  }
+  return box;
+}
+
+/// The first face of each row.
+template <int Dim> Box<Dim> starts_of(Box<Dim> box) {
+  box.hi[0] = box.lo[0] + 1;
+  return box;
 }
 
 } // namespace
@@ -97,10 +90,26 @@ void extrapolate(const Grid<Dim>& grid, const Walls<Dim, Real>& walls, int a, st
 template <int Dim, class Real>
 void extrapolate(const Grid<Dim>& grid, const Walls<Dim, Real>& walls, Known<Dim>& known, int layers,
                  Components<Dim, Real>& u, Pool& pool) {
-  pool.each(Dim, [&](int axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    extrapolate(grid, walls, axis, known[a], known.next[a], layers, u[a], pool);
-  });
+  std::array<Box<Dim>, Dim> box;
+  std::array<std::int64_t, Dim + 1> chunk{}; // the first one of each component
+  const std::int64_t grain = std::max<std::int64_t>(1, faces_per_chunk / grid.extent()[0]);
+  for (std::size_t a = 0; a < Dim; ++a) {
+    box[a] = faces_of(grid, walls, static_cast<int>(a));
+    chunk[a + 1] = chunk[a] + (detail::rows_of(box[a]) + grain - 1) / grain;
+    known.next[a].resize(known[a].size()); // its pads are 0, as those of `known`, or filled below
+  }
+  for (int l = 0; l < layers; ++l) {
+    for (std::size_t a = 0; a < Dim; ++a) walls.wrap_cells(known[a]);
+    pool.each(static_cast<int>(chunk[Dim]), [&](int c) {
+      const auto a = static_cast<std::size_t>(std::upper_bound(chunk.begin(), chunk.end(), c) - chunk.begin() - 1);
+      Layer<Dim, Real> layer{grid, walls, box[a], known[a].data(), known.next[a].data(), u[a]};
+      for (int d = 0; d < Dim; ++d) layer.stride[static_cast<std::size_t>(d)] = grid.stride(d);
+      const std::int64_t begin = (c - chunk[a]) * grain, end = std::min(begin + grain, detail::rows_of(box[a]));
+      detail::each_in_rows(grid, starts_of(box[a]), begin, end,
+                           [&](const Index<Dim>& i, std::size_t at) { layer.grow(i, at); });
+    });
+    for (std::size_t a = 0; a < Dim; ++a) known[a].swap(known.next[a]);
+  }
 }
 
 #define FLIPBOOK_EXTRAPOLATE(Dim, Real)                                                                                \

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sim/fluid/fluid_solver.h"
 
-#include "sim/fluid/advect.h"
 #include "sim/fluid/level_set.h"
 #include "sim/fluid/spacing.h"
 #include "sim/transfer/transfer.h"
@@ -89,7 +88,8 @@ template <int Dim, class Real> void FluidSolver<Dim, Real>::lie(double dt) {
   add_gravity(dt);             // u <- u + dt g
   project(dt, state_.p);       // div u = 0
   grid_to_particles(state_.u); // v, A by the scheme
-  advect(dt, state_.u, t);     // dx/dt = u
+  const auto first = state_.settings.transfer.corner().v_is_u() ? FirstStage::own_velocity : FirstStage::looked_up;
+  advect(dt, state_.u, t, first); // dx/dt = u
 }
 
 /// Second order: half of the motion, the forces as a reflection about the middle, the other half. The projection that
@@ -181,10 +181,13 @@ template <int Dim, class Real> void FluidSolver<Dim, Real>::particles_to_grid() 
 
 /// u_old = u.
 template <int Dim, class Real> void FluidSolver<Dim, Real>::keep_u() {
-  pool_.each(Dim, [&](int axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    state_.u_old[a] = state_.u[a];
-  });
+  for (std::size_t a = 0; a < Dim; ++a) {
+    const Field<Real>& u = state_.u[a];
+    state_.u_old[a].resize(u.size());
+    pool_.ranges(state_.grid.size(), samples_per_chunk, [&](std::int64_t begin, std::int64_t end) {
+      std::copy(u.data() + begin, u.data() + end, state_.u_old[a].data() + begin);
+    });
+  }
 }
 
 template <int Dim, class Real> void FluidSolver<Dim, Real>::add_gravity(double dt) {
@@ -281,11 +284,11 @@ void FluidSolver<Dim, Real>::combine(Real a, Real b, const Components<Dim, Real>
 
 /// From time t on; the obstacles follow.
 template <int Dim, class Real>
-void FluidSolver<Dim, Real>::advect(double dt, const Components<Dim, Real>& u, double t) {
+void FluidSolver<Dim, Real>::advect(double dt, const Components<Dim, Real>& u, double t, FirstStage first) {
   auto& s = state_;
   during(Stage::advection, [&] {
     const bool met_wall = flipbook::advect(s.settings.time.advection, s.settings.transfer.kernel, s.grid, s.walls, u,
-                                           dt, s.ballistic, s.particles, pool_);
+                                           dt, s.ballistic, s.particles, pool_, first);
     if (ledger_) ledger_->met_wall(met_wall);
     place_solids(t + dt);
   });

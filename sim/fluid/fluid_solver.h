@@ -4,6 +4,7 @@
 // The ways of splitting a step into equations are lie(), midpoint() and reflection() below.
 #pragma once
 
+#include "sim/fluid/advect.h"
 #include "sim/fluid/extrapolate.h"
 #include "sim/fluid/fluid_ledger.h"
 #include "sim/fluid/fluid_state.h"
@@ -60,7 +61,7 @@ private:
   void reflect(double dt);
   void grid_to_particles(const Components<Dim, Real>& u);
   void remove_divergence(double dt);
-  void advect(double dt, const Components<Dim, Real>& u, double t);
+  void advect(double dt, const Components<Dim, Real>& u, double t, FirstStage first = FirstStage::looked_up);
   void keep_apart();
   /// The obstacles where they are at time t, with what they caught pushed out.
   void place_solids(double t);

@@ -7,6 +7,7 @@
 #include "sim/core/particles.h"
 #include "sim/fluid/box.h"
 #include "sim/fluid/walls.h"
+#include "sim/frame/particle_order.h"
 #include "sim/frame/snapshot.h"
 #include "sim/transfer/interpolate.h"
 
@@ -51,7 +52,7 @@ template <int Dim, class Real>
 /// The samples of a box as a lattice; `origin` in cells.
 template <int Dim, class Real>
 [[nodiscard]] LatticeData lattice(const Grid<Dim>& grid, const Box<Dim>& box, std::string name,
-                                  const Vec<Dim, double>& origin, const Field<Real>& f) {
+                                  const Vec<Dim, double>& origin, const Field<Real>& f, Pool& pool) {
   LatticeData data;
   data.name = std::move(name);
   data.dx = static_cast<float>(grid.dx);
@@ -59,7 +60,16 @@ template <int Dim, class Real>
     data.n[static_cast<std::size_t>(d)] = box.hi[d] - box.lo[d];
     data.origin[static_cast<std::size_t>(d)] = static_cast<float>(grid.dx * origin[d]);
   }
-  each_in(grid, box, [&](const Index<Dim>&, std::size_t at) { data.values.push_back(static_cast<float>(f[at])); });
+  std::array<std::size_t, Dim> stride;
+  std::size_t count = 1;
+  for (std::size_t d = 0; d < Dim; ++d) stride[d] = std::exchange(count, count * static_cast<std::size_t>(data.n[d]));
+  data.values.resize(count);
+  each_in(grid, box, pool, [&](const Index<Dim>& i, std::size_t at) {
+    std::size_t to = 0;
+    for (std::size_t d = 0; d < Dim; ++d)
+      to += stride[d] * static_cast<std::size_t>(i[static_cast<int>(d)] - box.lo[static_cast<int>(d)]);
+    data.values[to] = static_cast<float>(f[at]);
+  });
   return data;
 }
 
@@ -77,15 +87,26 @@ void publish_domain(const Grid<Dim>& grid, const Walls<Dim, Real>& walls, int pa
 }
 
 /// In the order in which the particles lie.
-template <int Dim, class Real> void publish_particles(const Particles<Dim, Real>& particles, Snapshot& s) {
+template <int Dim, class Real> void publish_particles(const Particles<Dim, Real>& particles, Snapshot& s, Pool& pool) {
   s.id = particles.id;
   s.x.resize(Dim * particles.size());
   s.v.resize(Dim * particles.size());
-  for (std::size_t p = 0; p < particles.size(); ++p)
-    for (std::size_t d = 0; d < Dim; ++d) {
-      s.x[Dim * p + d] = static_cast<float>(particles.x[d][p]);
-      s.v[Dim * p + d] = static_cast<float>(particles.v[d][p]);
-    }
+  pool.ranges(static_cast<std::int64_t>(particles.size()), 1 << 14, [&](std::int64_t begin, std::int64_t end) {
+    for (auto p = static_cast<std::size_t>(begin); p < static_cast<std::size_t>(end); ++p)
+      for (std::size_t d = 0; d < Dim; ++d) {
+        s.x[Dim * p + d] = static_cast<float>(particles.x[d][p]);
+        s.v[Dim * p + d] = static_cast<float>(particles.v[d][p]);
+      }
+  });
+}
+
+/// sort_particles with the threads of a pool.
+inline void sort_particles(Snapshot& s, Pool& pool) {
+  sort_particles(s, [&](std::size_t count, const PieceBody& body) {
+    pool.ranges(static_cast<std::int64_t>(count), 1 << 14, [&](std::int64_t begin, std::int64_t end) {
+      body(static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
+    });
+  });
 }
 
 } // namespace flipbook

@@ -5,7 +5,6 @@
 #include "sim/fluid/channels.h"
 #include "sim/fluid/history.h"
 #include "sim/fluid/publish.h"
-#include "sim/frame/particle_order.h"
 
 namespace flipbook {
 namespace {
@@ -87,10 +86,10 @@ std::shared_ptr<const Snapshot> Recorder<Dim, Real>::snapshot(const FluidState<D
   s->up = settings.fluid.up(Dim);
   s->solids = solids(state);
 
-  publish_particles(state.particles, *s);
+  publish_particles(state.particles, *s, pool);
   for (const std::string& name : request.channels) s->channels.push_back(channel(state, name, pool));
-  sort_particles(*s);
-  s->lattices = lattices(state, request);
+  sort_particles(*s, pool);
+  s->lattices = lattices(state, request, pool);
   if (ledger) {
     append(history_, state.time, history_row(state, *ledger, request.noise, pool));
     s->history = std::make_shared<History>(history_);

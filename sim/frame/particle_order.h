@@ -6,9 +6,18 @@
 
 #include "sim/frame/snapshot.h"
 
+#include <cstddef>
+#include <functional>
+
 namespace flipbook {
 
+/// Calls the body for pieces [begin, end) that cover [0, count), in any order or at once.
+using PieceBody = std::function<void(std::size_t begin, std::size_t end)>;
+using EachPiece = std::function<void(std::size_t count, const PieceBody& body)>;
+
 /// Sorts x, v, id and the channels by the cells of lo, hi, cells and dx; what lies outside counts for the nearest cell.
-void sort_particles(Snapshot& s);
+/// The result does not depend on the pieces.
+void sort_particles(
+    Snapshot& s, const EachPiece& each_piece = [](std::size_t count, const PieceBody& body) { body(0, count); });
 
 } // namespace flipbook

@@ -24,6 +24,9 @@ struct Corner {
   int order = 1;         ///< XPIC's m: terms of the filter that stands for v_p in FLIP's update; 1: none
   /// Where there is one, it transfers, and of the above only the mode counts: what its particles remember.
   std::shared_ptr<const ScalarPart> scalar{};
+
+  /// Is v_p after G2P the grid's velocity at the particle, sum_i w_ip u_i, to the bit?
+  [[nodiscard]] bool v_is_u() const { return flip_ratio == 0 && order == 1 && !scalar; }
 };
 
 /// How flip_ratio is described, in every scheme that has it.

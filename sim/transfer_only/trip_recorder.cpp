@@ -4,7 +4,6 @@
 #include "sim/core/cross.h"
 #include "sim/fluid/publish.h"
 #include "sim/frame/errors.h"
-#include "sim/frame/particle_order.h"
 #include "sim/transfer_only/kept.h"
 
 #include <cmath>
@@ -62,13 +61,13 @@ template <int Dim, class Real> std::vector<Source<Dim, Real>> sources() {
 }
 
 /// The velocity on the samples in the domain.
-template <int Dim, class Real> std::vector<LatticeData> lattices(const TripState<Dim, Real>& s) {
+template <int Dim, class Real> std::vector<LatticeData> lattices(const TripState<Dim, Real>& s, Pool& pool) {
   std::vector<LatticeData> all;
   for (int a = 0; a < Dim; ++a) {
     Box<Dim> box = faces_of(s.grid, a);
     if (s.layout() == Layout::nodes) box.hi = s.grid.cells.array() + Grid<Dim>::pad + 1;
     all.push_back(lattice(s.grid, box, std::string(1, "uvw"[a]), component_origin<Dim, double>(s.layout(), a),
-                          s.u[static_cast<std::size_t>(a)]));
+                          s.u[static_cast<std::size_t>(a)], pool));
   }
   return all;
 }
@@ -157,10 +156,10 @@ std::shared_ptr<const Snapshot> TripRecorder<Dim, Real>::snapshot(const TripStat
   s->steps = state.steps;
   s->dt = state.steps > 0 ? settings.time.dt : 0;
   publish_domain(state.grid, state.walls, settings.seeding.per_axis, *s);
-  publish_particles(state.particles, *s);
+  publish_particles(state.particles, *s, pool);
   for (const std::string& name : request.channels) s->channels.push_back(channel(state, name, pool));
-  sort_particles(*s);
-  if (request.faces) s->lattices = lattices(state);
+  sort_particles(*s, pool);
+  if (request.faces) s->lattices = lattices(state, pool);
   if (!ledger.on()) return s;
   append(history_, state.time, row(state, ledger, request.noise, pool));
   s->history = std::make_shared<History>(history_);
