@@ -41,7 +41,8 @@ public:
   [[nodiscard]] Totals<Dim> operator()(std::size_t begin, std::size_t end) const {
     Sums sums;
     std::size_t p = next(begin, begin, end);
-    for (; p + lanes <= end; p = next(p + lanes, begin, end)) add(p, std::integral_constant<std::size_t, lanes>(), sums);
+    for (; p + lanes <= end; p = next(p + lanes, begin, end))
+      add(p, std::integral_constant<std::size_t, lanes>(), sums);
     if (p < end) add(p, end - p, sums);
     return sums.totals();
   }
