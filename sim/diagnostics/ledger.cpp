@@ -3,6 +3,7 @@
 
 #include "sim/core/cross.h"
 #include "sim/core/pack.h"
+#include "sim/core/unrolled.h"
 #include "sim/transfer/modes.h"
 #include "sim/transfer/sweep.h"
 
@@ -14,15 +15,6 @@ namespace {
 
 constexpr std::int64_t particles_per_chunk = 1 << 12;
 constexpr std::int64_t samples_per_chunk = 1 << 15;
-
-/// body<0>(), body<1>(), .. body<N - 1>(): nothing is left of the loop, and compilers work on several particles at
-/// once.
-template <int N, class Body> void unrolled(Body&& body) {
-  [&]<int... I>(std::integer_sequence<int, I...>) {
-    (body.template operator()<I>(), ...);
-  }
-  (std::make_integer_sequence<int, N>{});
-}
 
 /// Totals of particles, a pack in double at a time.
 template <class Mode, int Dim, class Real> class ParticleSums {

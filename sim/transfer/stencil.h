@@ -8,6 +8,7 @@
 
 #include "sim/core/order.h"
 #include "sim/core/shuffles.h"
+#include "sim/core/unrolled.h"
 #include "sim/kernels/kernels.h"
 
 #include <algorithm>
@@ -156,18 +157,18 @@ private:
     const Axis& s = axis(component, D);
     std::array<T, 2 * lower> sum;
     sum.fill(T(0));
-    std::array<T, K::support> samples;
-    if constexpr (D == 0) samples = look_up_row<K::support, T>(u, at);
-    for (std::size_t i = 0; i < K::support; ++i) {
-      std::array<T, lower> row;
-      if constexpr (D == 0)
-        row[0] = samples[i];
-      else
-        row = gather_products<D - 1>(walk, component, u + static_cast<std::ptrdiff_t>(i) * walk.stride[D], at);
-      for (std::size_t k = 0; k < lower; ++k) {
+    const auto add = [&](std::size_t i, const std::array<T, lower>& row) {
+      unrolled<lower>([&]<std::size_t k>() {
         sum[k] = multiply_add(s.w[i], row[k], sum[k]);
         sum[k + lower] = multiply_add(s.g[i], row[k], sum[k + lower]);
-      }
+      });
+    };
+    if constexpr (D == 0) {
+      const std::array<T, K::support> samples = look_up_row<K::support, T>(u, at);
+      for (std::size_t i = 0; i < K::support; ++i) add(i, {samples[i]});
+    } else {
+      for (std::size_t i = 0; i < K::support; ++i)
+        add(i, gather_products<D - 1>(walk, component, u + static_cast<std::ptrdiff_t>(i) * walk.stride[D], at));
     }
     return sum;
   }
