@@ -75,26 +75,6 @@ public:
       i = next;
     }
   }
-  /// The first of the cells [first, last) that has a particle; `last` if none has.
-  [[nodiscard]] int first_occupied(int first, int last) const {
-    for (int i = first; i < last;) {
-      const int next = std::min(last, (i / block_edge + 1) * block_edge);
-      for (; begin(i) != end(next - 1); ++i)
-        if (begin(i) != end(i)) return i;
-      i = next;
-    }
-    return last;
-  }
-  /// One beyond the last of them that has; `first` if none has.
-  [[nodiscard]] int end_of_occupied(int first, int last) const {
-    for (int i = last; i > first;) {
-      const int lowest = std::max(first, (i - 1) / block_edge * block_edge);
-      for (; begin(lowest) != end(i - 1); --i)
-        if (begin(i - 1) != end(i - 1)) return i;
-      i = lowest;
-    }
-    return first;
-  }
 
 private:
   static std::size_t offset(int i) {
@@ -180,6 +160,16 @@ template <int Dim, class Body> void each_block(const Grid<Dim>& grid, Pool& pool
       body(static_cast<const Index<Dim>&>(first));
     });
   }
+}
+
+/// The same for bodies that keep to the cells of their block.
+template <int Dim, class Body> void each_block_at_once(const Grid<Dim>& grid, Pool& pool, Body&& body) {
+  const Index<Dim> count = (grid.extent().array() + block_edge - 1) / block_edge;
+  pool.each(count.prod(), [&](int b) {
+    Index<Dim> first;
+    for (int d = 0; d < Dim; b /= count[d], ++d) first[d] = block_edge * (b % count[d]);
+    body(static_cast<const Index<Dim>&>(first));
+  });
 }
 
 } // namespace flipbook

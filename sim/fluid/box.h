@@ -77,6 +77,18 @@ template <int Dim, class Body> void each_in(const Grid<Dim>& grid, const Box<Dim
               [&](std::int64_t b, std::int64_t e) { detail::each_in_rows(grid, box, b, e, body); });
 }
 
+/// body(first, position, length) for each row of the box along x, rows in parallel: for loops that compilers can take
+/// several samples at a time through.
+template <int Dim, class Body> void each_row(const Grid<Dim>& grid, const Box<Dim>& box, Pool& pool, Body&& body) {
+  const std::int64_t rows = detail::rows_of(box), length = std::max(1, box.hi[0] - box.lo[0]);
+  pool.ranges(rows, std::max<std::int64_t>(1, 8192 / length), [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t row = begin; row < end; ++row) {
+      const Index<Dim> first = detail::row_start(box, row);
+      body(first, static_cast<std::size_t>(grid.at(first)), static_cast<std::size_t>(length));
+    }
+  });
+}
+
 /// body(node, corner) for the corners of the face of `axis` at a position, or of the cell there where the axis is -1;
 /// bit d of `corner` is set on the upper side along d.
 template <int Dim, class Body> void each_corner(const Grid<Dim>& grid, std::size_t at, int axis, Body&& body) {
