@@ -156,7 +156,7 @@ private:
       }
       error.series.push_back(spread_series(title, colour, std::vector<double>(sizes.begin(), sizes.end()), e));
     }
-    report.chart.title = "Gresho's vortex: PIC spins down, the others keep its profile";
+    report.chart.title = "Gresho's vortex: PIC spins down, FLIP and APIC keep its profile";
     report.chart.panels = {profile, error};
     report.ran = "Gresho vortex to t = 1, 2 x 2 jittered particles a cell, " + seeds_text(request.seeds) +
                  ", linear kernel on MAC faces, Lie splitting; profile: CFL 0.125, " +

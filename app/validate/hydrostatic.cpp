@@ -106,7 +106,7 @@ public:
         if ((i + 1) % sizes.size() == 0) draw(jittered, title, i / sizes.size(), results[i], pressure, speed);
       }
     }
-    report.chart.title = "Water at rest stays at rest; on a regular lattice to the solver's tolerance";
+    report.chart.title = "Water at rest: still on a regular lattice, stirred by jittered particles";
     report.chart.panels = {pressure, speed};
     report.ran = "Tank of 1 m, water 0.5 m deep, g = 9.81 m/s², to t = 2 s; 2 x 2 particles a cell, jittered (" +
                  seeds_text(request.seeds) +
