@@ -193,7 +193,7 @@ template <int Dim, class Real>
 Totals<Dim> particle_totals(KernelName kernel, Layout layout, const Grid<Dim>& grid,
                             const Particles<Dim, Real>& particles, const Vec<Dim, double>& origin, Pool& pool,
                             const std::vector<std::uint8_t>* only) {
-  if (only && std::memchr(only->data(), 1, only->size()) == nullptr) return {};
+  if (only && (only->empty() || std::memchr(only->data(), 1, only->size()) == nullptr)) return {};
   return with_mode<Dim, Real>(particles.mode, [&](auto mode) {
     const ParticleSums<decltype(mode), Dim, Real> sums(kernel, layout, grid, origin, particles,
                                                        only ? only->data() : nullptr);
