@@ -14,6 +14,11 @@
 
 namespace flipbook {
 
+/// base^exponent: the samples of a cube with such an edge, in so many dimensions.
+[[nodiscard]] constexpr std::size_t power(std::size_t base, int exponent) {
+  return exponent == 0 ? 1 : base * power(base, exponent - 1);
+}
+
 /// The box [0, cells dx] with its index space. Positions are relative to the lower corner of the domain.
 template <int Dim> struct Grid {
   static constexpr int pad = 2;
@@ -34,6 +39,13 @@ template <int Dim> struct Grid {
     std::ptrdiff_t k = i[Dim - 1];
     for (int d = Dim - 2; d >= 0; --d) k = k * extent()[d] + i[d];
     return k;
+  }
+  /// The sample at this position.
+  [[nodiscard]] Index<Dim> index(std::ptrdiff_t at) const {
+    const Index<Dim> n = extent();
+    Index<Dim> i;
+    for (int d = 0; d < Dim; at /= n[d], ++d) i[d] = static_cast<int>(at % n[d]);
+    return i;
   }
   [[nodiscard]] Vec<Dim, double> size_m() const { return dx * cells.template cast<double>(); }
 };

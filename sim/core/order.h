@@ -31,7 +31,7 @@ inline constexpr int block_edge = 8;
 /// not; nothing is ever in them.
 template <int Dim> class BlockedCells {
 public:
-  static constexpr std::uint32_t per_block = Dim == 2 ? block_edge * block_edge : block_edge * block_edge * block_edge;
+  static constexpr auto per_block = static_cast<std::uint32_t>(power(block_edge, Dim));
 
   BlockedCells() = default;
   explicit BlockedCells(const Grid<Dim>& grid) {
@@ -144,32 +144,37 @@ template <int Dim, class Real> [[nodiscard]] Index<Dim> cell_of(const Grid<Dim>&
 template <int Dim, class Real>
 void sort_by_cell(Particles<Dim, Real>& particles, const Grid<Dim>& grid, CellOrder<Dim>& order, Pool& pool);
 
+namespace detail {
+/// body(first) for the first cell of each of `count` blocks: those `origin + step n`, in blocks, in parallel.
+template <int Dim, class Body>
+void each_block_of(const Index<Dim>& count, const Index<Dim>& origin, int step, Pool& pool, Body&& body) {
+  pool.each(count.prod(), [&](int b) {
+    Index<Dim> first;
+    for (int d = 0; d < Dim; b /= count[d], ++d) first[d] = block_edge * (step * (b % count[d]) + origin[d]);
+    body(static_cast<const Index<Dim>&>(first));
+  });
+}
+/// How many times `edge` cells it takes to cover so many.
+template <int Dim> [[nodiscard]] Index<Dim> covering(const Index<Dim>& cells, int edge) {
+  return (cells.array() + edge - 1) / edge;
+}
+} // namespace detail
+
 /// body(first) for the first cell of every block, colour after colour; blocks that run at the same time are a block
 /// apart.
 template <int Dim, class Body> void each_block(const Grid<Dim>& grid, Pool& pool, Body&& body) {
-  const Index<Dim> extent = grid.extent();
   for (int colour = 0; colour < 1 << Dim; ++colour) {
-    Index<Dim> parity, count;
-    for (int d = 0; d < Dim; ++d) {
-      parity[d] = colour >> d & 1;
-      count[d] = (extent[d] + block_edge * (1 - parity[d]) + block_edge - 1) / (2 * block_edge);
-    }
-    pool.each(count.prod(), [&](int b) {
-      Index<Dim> first;
-      for (int d = 0; d < Dim; b /= count[d], ++d) first[d] = block_edge * (2 * (b % count[d]) + parity[d]);
-      body(static_cast<const Index<Dim>&>(first));
-    });
+    Index<Dim> parity;
+    for (int d = 0; d < Dim; ++d) parity[d] = colour >> d & 1;
+    const Index<Dim> rest = grid.extent() - block_edge * parity;
+    detail::each_block_of(detail::covering<Dim>(rest, 2 * block_edge), parity, 2, pool, body);
   }
 }
 
 /// The same for bodies that keep to the cells of their block.
 template <int Dim, class Body> void each_block_at_once(const Grid<Dim>& grid, Pool& pool, Body&& body) {
-  const Index<Dim> count = (grid.extent().array() + block_edge - 1) / block_edge;
-  pool.each(count.prod(), [&](int b) {
-    Index<Dim> first;
-    for (int d = 0; d < Dim; b /= count[d], ++d) first[d] = block_edge * (b % count[d]);
-    body(static_cast<const Index<Dim>&>(first));
-  });
+  const Index<Dim> count = detail::covering<Dim>(grid.extent(), block_edge);
+  detail::each_block_of(count, Index<Dim>(Index<Dim>::Zero()), 1, pool, body);
 }
 
 } // namespace flipbook

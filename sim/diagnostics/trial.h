@@ -78,14 +78,10 @@ template <int Dim, class Real> struct Trial {
 
   /// body(position in the field, place) for every sample of component a.
   template <class Body> void each_sample(Layout layout, int a, Body&& body) const {
-    const Index<Dim> extent = grid.extent();
     const Vec<Dim, double> lattice = component_origin<Dim, double>(layout, a);
     for (std::ptrdiff_t k = 0; k < grid.size(); ++k) {
-      Vec<Dim, double> x;
-      std::ptrdiff_t rest = k;
-      for (int d = 0; d < Dim; rest /= extent[d], ++d)
-        x[d] = grid.dx * (static_cast<double>(rest % extent[d]) - Grid<Dim>::pad + lattice[d]);
-      body(static_cast<std::size_t>(k), x);
+      const Vec<Dim, double> i = grid.index(k).template cast<double>();
+      body(static_cast<std::size_t>(k), Vec<Dim, double>(grid.dx * (i.array() - Grid<Dim>::pad + lattice.array())));
     }
   }
 };

@@ -6,6 +6,9 @@
 #include "sim/core/parallel.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 
 namespace flipbook {
 
@@ -35,26 +38,23 @@ template <int Dim> [[nodiscard]] Box<Dim> all_of(const Grid<Dim>& grid) {
   return {Index<Dim>::Zero(), grid.extent()};
 }
 
-namespace detail {
-/// The first sample of a row of a box; rows are its samples without the x axis, y fastest.
-template <int Dim> [[nodiscard]] Index<Dim> row_start(const Box<Dim>& box, std::int64_t row) {
-  Index<Dim> i = box.lo;
-  for (int d = 1; d < Dim; ++d) {
-    const int n = box.hi[d] - box.lo[d];
-    i[d] += static_cast<int>(row % n);
-    row /= n;
-  }
-  return i;
+/// The two slabs of samples of cells (or of faces seen along another axis) that lie outside the domain along `axis`,
+/// the lower one first.
+template <int Dim> [[nodiscard]] std::array<Box<Dim>, 2> outside(const Grid<Dim>& grid, int axis) {
+  const Box<Dim> domain = cells_of(grid);
+  Box<Dim> below = all_of(grid), above = all_of(grid);
+  below.hi[axis] = domain.lo[axis];
+  above.lo[axis] = domain.hi[axis];
+  return {below, above};
 }
-/// body(index, position) along the rows [first, last) of a box.
-template <int Dim, class Body>
-void each_in_rows(const Grid<Dim>& grid, const Box<Dim>& box, std::int64_t first, std::int64_t last, Body&& body) {
-  for (std::int64_t row = first; row < last; ++row) {
-    Index<Dim> i = row_start(box, row);
-    std::ptrdiff_t at = grid.at(i);
-    for (; i[0] < box.hi[0]; ++i[0], ++at) body(static_cast<const Index<Dim>&>(i), static_cast<std::size_t>(at));
-  }
+
+/// The first sample of each row along x.
+template <int Dim> [[nodiscard]] Box<Dim> starts_of(Box<Dim> box) {
+  box.hi[0] = std::min(box.hi[0], box.lo[0] + 1);
+  return box;
 }
+
+/// Rows of a box are its samples without the x axis, y fastest.
 template <int Dim> [[nodiscard]] std::int64_t rows_of(const Box<Dim>& box) {
   std::int64_t rows = 1;
   for (int d = 0; d < Dim; ++d) {
@@ -63,29 +63,43 @@ template <int Dim> [[nodiscard]] std::int64_t rows_of(const Box<Dim>& box) {
   }
   return rows;
 }
-} // namespace detail
+
+/// body(index, position) along the rows [first, last) of a box.
+template <int Dim, class Body>
+void each_in_rows(const Grid<Dim>& grid, const Box<Dim>& box, std::int64_t first, std::int64_t last, Body&& body) {
+  for (std::int64_t row = first; row < last; ++row) {
+    Index<Dim> i = box.lo;
+    std::int64_t rest = row;
+    for (int d = 1; d < Dim; rest /= box.hi[d] - box.lo[d], ++d)
+      i[d] += static_cast<int>(rest % (box.hi[d] - box.lo[d]));
+    std::ptrdiff_t at = grid.at(i);
+    for (; i[0] < box.hi[0]; ++i[0], ++at) body(static_cast<const Index<Dim>&>(i), static_cast<std::size_t>(at));
+  }
+}
+
+/// So many rows of this length are enough work for a thread.
+[[nodiscard]] inline std::int64_t rows_per_chunk(int length) {
+  return std::max(1, 8192 / std::max(1, length));
+}
 
 /// body(index, position) for each sample of the box, in order.
 template <int Dim, class Body> void each_in(const Grid<Dim>& grid, const Box<Dim>& box, Body&& body) {
-  detail::each_in_rows(grid, box, 0, detail::rows_of(box), body);
+  each_in_rows(grid, box, 0, rows_of(box), body);
 }
 
 /// The same, rows in parallel: the body may write to its own sample only.
 template <int Dim, class Body> void each_in(const Grid<Dim>& grid, const Box<Dim>& box, Pool& pool, Body&& body) {
-  const std::int64_t grain = std::max(1, 8192 / std::max(1, box.hi[0] - box.lo[0]));
-  pool.ranges(detail::rows_of(box), grain,
-              [&](std::int64_t b, std::int64_t e) { detail::each_in_rows(grid, box, b, e, body); });
+  pool.ranges(rows_of(box), rows_per_chunk(box.hi[0] - box.lo[0]),
+              [&](std::int64_t begin, std::int64_t end) { each_in_rows(grid, box, begin, end, body); });
 }
 
-/// body(first, position, length) for each row of the box along x, rows in parallel: for loops that compilers can take
-/// several samples at a time through.
+/// body(first, position, length) for each row of the box, rows in parallel: for loops that compilers can take several
+/// samples at a time through.
 template <int Dim, class Body> void each_row(const Grid<Dim>& grid, const Box<Dim>& box, Pool& pool, Body&& body) {
-  const std::int64_t rows = detail::rows_of(box), length = std::max(1, box.hi[0] - box.lo[0]);
-  pool.ranges(rows, std::max<std::int64_t>(1, 8192 / length), [&](std::int64_t begin, std::int64_t end) {
-    for (std::int64_t row = begin; row < end; ++row) {
-      const Index<Dim> first = detail::row_start(box, row);
-      body(first, static_cast<std::size_t>(grid.at(first)), static_cast<std::size_t>(length));
-    }
+  const int length = box.hi[0] - box.lo[0];
+  pool.ranges(rows_of(box), rows_per_chunk(length), [&](std::int64_t begin, std::int64_t end) {
+    each_in_rows(grid, starts_of(box), begin, end,
+                 [&](const Index<Dim>& first, std::size_t at) { body(first, at, static_cast<std::size_t>(length)); });
   });
 }
 

@@ -79,12 +79,6 @@ template <int Dim, class Real> Box<Dim> faces_of(const Grid<Dim>& grid, const Wa
   return box;
 }
 
-/// The first face of each row.
-template <int Dim> Box<Dim> starts_of(Box<Dim> box) {
-  box.hi[0] = box.lo[0] + 1;
-  return box;
-}
-
 } // namespace
 
 template <int Dim, class Real>
@@ -95,7 +89,7 @@ void extrapolate(const Grid<Dim>& grid, const Walls<Dim, Real>& walls, Known<Dim
   const std::int64_t grain = std::max<std::int64_t>(1, faces_per_chunk / grid.extent()[0]);
   for (std::size_t a = 0; a < Dim; ++a) {
     box[a] = faces_of(grid, walls, static_cast<int>(a));
-    chunk[a + 1] = chunk[a] + (detail::rows_of(box[a]) + grain - 1) / grain;
+    chunk[a + 1] = chunk[a] + (rows_of(box[a]) + grain - 1) / grain;
     known.next[a].resize(known[a].size()); // its pads are 0, as those of `known`, or filled below
   }
   for (int l = 0; l < layers; ++l) {
@@ -104,9 +98,9 @@ void extrapolate(const Grid<Dim>& grid, const Walls<Dim, Real>& walls, Known<Dim
       const auto a = static_cast<std::size_t>(std::upper_bound(chunk.begin(), chunk.end(), c) - chunk.begin() - 1);
       Layer<Dim, Real> layer{grid, walls, box[a], known[a].data(), known.next[a].data(), u[a]};
       for (int d = 0; d < Dim; ++d) layer.stride[static_cast<std::size_t>(d)] = grid.stride(d);
-      const std::int64_t begin = (c - chunk[a]) * grain, end = std::min(begin + grain, detail::rows_of(box[a]));
-      detail::each_in_rows(grid, starts_of(box[a]), begin, end,
-                           [&](const Index<Dim>& i, std::size_t at) { layer.grow(i, at); });
+      const std::int64_t begin = (c - chunk[a]) * grain, end = std::min(begin + grain, rows_of(box[a]));
+      each_in_rows(grid, starts_of(box[a]), begin, end,
+                   [&](const Index<Dim>& i, std::size_t at) { layer.grow(i, at); });
     });
     for (std::size_t a = 0; a < Dim; ++a) known[a].swap(known.next[a]);
   }

@@ -23,14 +23,13 @@ constexpr double negligible = 0.01;
 
 /// The largest |div u| of a liquid cell (1/s).
 template <int Dim, class Real> double largest_divergence(const FluidState<Dim, Real>& s, Pool& pool) {
-  Box<Dim> rows = cells_of(s.grid);
-  rows.hi[0] = rows.lo[0] + 1;
+  const Box<Dim> rows = starts_of(cells_of(s.grid));
   const int length = s.grid.cells[0];
   const std::uint8_t* fluid = s.cells.fluid.data();
-  const Largest<Real> most = pool.sum(
-      detail::rows_of(rows), 1 + (1 << 14) / length, Largest<Real>{}, [&](std::int64_t begin, std::int64_t end) {
+  const Largest<Real> most =
+      pool.sum(rows_of(rows), 1 + (1 << 14) / length, Largest<Real>{}, [&](std::int64_t begin, std::int64_t end) {
         Largest<Real> of_rows;
-        detail::each_in_rows(s.grid, rows, begin, end, [&](const Index<Dim>&, std::size_t first) {
+        each_in_rows(s.grid, rows, begin, end, [&](const Index<Dim>&, std::size_t first) {
           if (std::memchr(fluid + first, 1, static_cast<std::size_t>(length)) == nullptr) return;
           const auto last = static_cast<std::int64_t>(first) + length;
           of_rows += largest<Real>(static_cast<std::int64_t>(first), last, [&](std::size_t at) {

@@ -144,10 +144,9 @@ private:
     /// body(row, position, length) for what the grid has of each row.
     template <class Body> void each_row(const Grid<Dim>& grid, const Index<Dim>& block, Body&& body) {
       const Index<Dim> corner = block.array() - farthest_reach;
-      Box<Dim> firsts{corner.cwiseMax(0), (corner.array() + edge).min(grid.extent().array())};
-      const int length = firsts.hi[0] - firsts.lo[0];
-      firsts.hi[0] = firsts.lo[0] + 1;
-      each_in(grid, firsts, [&](const Index<Dim>& i, std::size_t at) {
+      const Box<Dim> within{corner.cwiseMax(0), (corner.array() + edge).min(grid.extent().array())};
+      const int length = within.hi[0] - within.lo[0];
+      each_in(grid, starts_of(within), [&](const Index<Dim>& i, std::size_t at) {
         const Index<Dim> n = i - corner;
         const int row = Dim == 3 ? n[Dim - 1] * edge + n[1] : n[1];
         body(f.data() + static_cast<std::size_t>(row) * row_length + n[0], static_cast<std::ptrdiff_t>(at), length);
@@ -225,11 +224,7 @@ private:
 
 /// What lies outside of the domain along an axis.
 template <int Dim, class Body> void each_outside(const Grid<Dim>& grid, int axis, Body&& body) {
-  const Box<Dim> domain = cells_of(grid);
-  Box<Dim> below = all_of(grid), above = all_of(grid);
-  below.hi[axis] = domain.lo[axis];
-  above.lo[axis] = domain.hi[axis];
-  for (const Box<Dim>& beyond : {below, above}) each_in(grid, beyond, body);
+  for (const Box<Dim>& slab : outside(grid, axis)) each_in(grid, slab, body);
 }
 
 /// Beyond a wall nobody asks how far it is from the liquid.

@@ -87,15 +87,14 @@ template <int Dim, class Real> double open_share(const FluidState<Dim, Real>& s,
 } // namespace
 
 template <int Dim, class Real> double liquid_volume(const FluidState<Dim, Real>& s, Pool& pool) {
-  Box<Dim> rows = cells_of(s.grid);
-  const int lo = rows.lo[0], hi = rows.hi[0];
-  rows.hi[0] = lo + 1;
+  const Box<Dim> cells = cells_of(s.grid), rows = starts_of(cells);
+  const int lo = cells.lo[0], hi = cells.hi[0];
   std::array<std::ptrdiff_t, Dim> stride;
   for (int d = 0; d < Dim; ++d) stride[static_cast<std::size_t>(d)] = s.grid.stride(d);
-  const double cells = pool.sum(detail::rows_of(rows), 16, 0.0, [&](std::int64_t begin, std::int64_t end) {
+  const double volume = pool.sum(rows_of(rows), 16, 0.0, [&](std::int64_t begin, std::int64_t end) {
     double sum = 0;
     RowRange<Real> range(lo, hi);
-    detail::each_in_rows(s.grid, rows, begin, end, [&](const Index<Dim>&, std::size_t first) {
+    each_in_rows(s.grid, rows, begin, end, [&](const Index<Dim>&, std::size_t first) {
       range.find(s.grid, s.phi.data() + first - lo);
       for (int i = lo; i < hi; ++i) {
         const std::size_t at = first + static_cast<std::size_t>(i - lo);
@@ -111,7 +110,7 @@ template <int Dim, class Real> double liquid_volume(const FluidState<Dim, Real>&
     });
     return sum;
   });
-  return cells * std::pow(s.grid.dx, Dim);
+  return volume * std::pow(s.grid.dx, Dim);
 }
 
 template double liquid_volume(const FluidState<2, float>&, Pool&);

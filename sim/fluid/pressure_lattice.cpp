@@ -56,17 +56,16 @@ template <int Dim, class Real>
 void PressureLattice<Dim, Real>::find_box(const Grid<Dim>& grid, const Walls<Dim, Real>& walls,
                                           const Cells<Dim, Real>& cells, Pool& pool) {
   const Box<Dim> all = cells_of(grid);
-  const std::int64_t rows = detail::rows_of(all), grain = std::max<std::int64_t>(1, cells_per_chunk / grid.cells[0]);
+  const std::int64_t rows = rows_of(all), grain = std::max<std::int64_t>(1, cells_per_chunk / grid.cells[0]);
   const Box<Dim> nothing{all.hi, all.lo};
   boxes_.assign(static_cast<std::size_t>((rows + grain - 1) / grain), nothing);
   pool.ranges(rows, grain, [&](std::int64_t begin, std::int64_t end) {
     Box<Dim>& box = boxes_[static_cast<std::size_t>(begin / grain)];
-    for (std::int64_t r = begin; r < end; ++r) {
-      const Index<Dim> cell = detail::row_start(all, r);
-      const std::uint8_t* first = cells.fluid.data() + grid.at(cell);
+    each_in_rows(grid, starts_of(all), begin, end, [&](const Index<Dim>& cell, std::size_t at) {
+      const std::uint8_t* first = cells.fluid.data() + at;
       const auto* hit =
           static_cast<const std::uint8_t*>(std::memchr(first, 1, static_cast<std::size_t>(grid.cells[0])));
-      if (!hit) continue;
+      if (!hit) return;
       std::ptrdiff_t last = grid.cells[0] - 1;
       while (!first[last]) --last;
       Index<Dim> lo = cell, hi = cell.array() + 1;
@@ -74,7 +73,7 @@ void PressureLattice<Dim, Real>::find_box(const Grid<Dim>& grid, const Walls<Dim
       hi[0] += static_cast<int>(last);
       box.lo = box.lo.cwiseMin(lo);
       box.hi = box.hi.cwiseMax(hi);
-    }
+    });
   });
   Box<Dim> box = nothing;
   for (const Box<Dim>& of_rows : boxes_) {

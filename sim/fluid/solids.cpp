@@ -207,10 +207,7 @@ std::vector<std::size_t> Solids<Dim, Real>::wet(const Walls<Dim, Real>& walls, c
   for (const std::size_t cell : cut_) {
     bool beside = false;
     each_opening(walls, cell, [&](std::size_t, std::size_t beyond, Real) {
-      Index<Dim> i;
-      auto rest = static_cast<std::ptrdiff_t>(beyond);
-      for (int d = 0; d < Dim; rest /= grid_.extent()[d], ++d) i[d] = static_cast<int>(rest % grid_.extent()[d]);
-      const Index<Dim> home = walls.image(i);
+      const Index<Dim> home = walls.image(grid_.index(static_cast<std::ptrdiff_t>(beyond)));
       beside = beside || order.end(home) > order.begin(home);
     });
     if (beside) cells.push_back(cell);

@@ -8,12 +8,10 @@ namespace {
 
 template <int Dim> constexpr int pad_of = Grid<Dim>::pad;
 
-/// The two slabs of samples of cells (or of faces seen along another axis) that lie outside the domain along `axis`.
-template <int Dim> std::array<Box<Dim>, 2> outside(const Grid<Dim>& grid, int axis) {
-  Box<Dim> below = all_of(grid), above = all_of(grid);
-  below.hi[axis] = pad_of<Dim>;
-  above.lo[axis] = pad_of<Dim> + grid.cells[axis];
-  return {below, above};
+/// The place in the domain of sample i of a periodic axis.
+template <int Dim> int wrapped(const Grid<Dim>& grid, int axis, int i) {
+  const int lo = pad_of<Dim>, n = grid.cells[axis];
+  return lo + ((i - lo) % n + n) % n;
 }
 
 enum class Fill { nearest, wrap };
@@ -23,7 +21,7 @@ template <int Dim, class T> void fill(std::vector<T>& f, const Grid<Dim>& grid, 
   const int lo = pad_of<Dim>, n = grid.cells[axis];
   for (const Box<Dim>& slab : outside(grid, axis))
     each_in(grid, slab, [&](const Index<Dim>& i, std::size_t at) {
-      const int from = how == Fill::wrap ? lo + (i[axis] - lo + n) % n : std::clamp(i[axis], lo, lo + n - 1);
+      const int from = how == Fill::wrap ? wrapped(grid, axis, i[axis]) : std::clamp(i[axis], lo, lo + n - 1);
       f[at] = f[at + static_cast<std::size_t>((from - i[axis]) * grid.stride(axis))];
     });
 }
@@ -48,10 +46,9 @@ Walls<Dim, Real>::Walls(const Grid<Dim>& grid, const WallSettings& settings) : g
 template <int Dim, class Real> void Walls<Dim, Real>::fold(Field<Real>& sums) const {
   for (int b = 0; b < Dim; ++b) {
     if (!periodic(b)) continue;
-    const std::ptrdiff_t across = grid_.cells[b] * grid_.stride(b);
     for (const Box<Dim>& slab : outside(grid_, b))
       each_in(grid_, slab, [&](const Index<Dim>& i, std::size_t at) {
-        const std::ptrdiff_t shift = i[b] < pad_of<Dim> ? across : -across;
+        const std::ptrdiff_t shift = (wrapped(grid_, b, i[b]) - i[b]) * grid_.stride(b);
         sums[at + static_cast<std::size_t>(shift)] += std::exchange(sums[at], Real(0));
       });
     fill(sums, grid_, b, Fill::wrap);
@@ -100,11 +97,8 @@ template <int Dim, class Real> template <class T> void Walls<Dim, Real>::wrap_ce
 }
 
 template <int Dim, class Real> Index<Dim> Walls<Dim, Real>::image(Index<Dim> i) const {
-  for (int b = 0; b < Dim; ++b) {
-    if (!periodic(b)) continue;
-    const int n = grid_.cells[b];
-    i[b] = pad_of<Dim> + (i[b] - pad_of<Dim> + n) % n;
-  }
+  for (int b = 0; b < Dim; ++b)
+    if (periodic(b)) i[b] = wrapped(grid_, b, i[b]);
   return i;
 }
 

@@ -16,10 +16,6 @@
 
 namespace flipbook {
 
-[[nodiscard]] constexpr std::size_t power(std::size_t base, int exponent) {
-  return exponent == 0 ? 1 : base * power(base, exponent - 1);
-}
-
 template <class K, int Dim, class Real> class Tile {
 public:
   static constexpr int before = K::support / 2;          ///< samples that stencils reach ahead of their cell
