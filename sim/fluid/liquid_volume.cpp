@@ -91,7 +91,7 @@ template <int Dim, class Real> double liquid_volume(const FluidState<Dim, Real>&
   const int lo = cells.lo[0], hi = cells.hi[0];
   std::array<std::ptrdiff_t, Dim> stride;
   for (int d = 0; d < Dim; ++d) stride[static_cast<std::size_t>(d)] = s.grid.stride(d);
-  const double volume = pool.sum(rows_of(rows), 16, 0.0, [&](std::int64_t begin, std::int64_t end) {
+  const double full_cells = pool.sum(rows_of(rows), 16, 0.0, [&](std::int64_t begin, std::int64_t end) {
     double sum = 0;
     RowRange<Real> range(lo, hi);
     each_in_rows(s.grid, rows, begin, end, [&](const Index<Dim>&, std::size_t first) {
@@ -110,7 +110,7 @@ template <int Dim, class Real> double liquid_volume(const FluidState<Dim, Real>&
     });
     return sum;
   });
-  return volume * std::pow(s.grid.dx, Dim);
+  return full_cells * std::pow(s.grid.dx, Dim);
 }
 
 template double liquid_volume(const FluidState<2, float>&, Pool&);
