@@ -2,6 +2,7 @@
 #include "sim/simulation.h"
 
 #include "sim/fluid/fluid_solver.h"
+#include "sim/mpm/mpm_solver.h"
 #include "sim/scene/preset.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/seeding.h"
@@ -41,6 +42,12 @@ template <int Dim> std::unique_ptr<Simulation> make_round_trips(const Scene& sce
   return std::make_unique<RoundTrips<Dim, double>>(scene, pool);
 }
 
+/// `solver = "mpm"`
+template <int Dim> std::unique_ptr<Simulation> make_solids(const Scene& scene, Pool& pool) {
+  if (scene.settings.precision == Precision::single) return std::make_unique<MpmSolver<Dim, float>>(scene, pool);
+  return std::make_unique<MpmSolver<Dim, double>>(scene, pool);
+}
+
 /// `preset = "tutorial"`: the fluid notes' algorithm, or ours on their input for a scheme that they do not have.
 std::unique_ptr<Simulation> make_tutorial(const Scene& scene, Pool& pool) {
   if (runs_notes(scene.settings)) return std::make_unique<TutorialSolver>(scene, pool);
@@ -53,6 +60,11 @@ void check_scene(const Scene& scene) {
   check(scene.settings);
   if (scene.settings.solver == Solver::transfer && !scene.obstacles.empty())
     throw UserError("solver = \"transfer\" has no obstacles, and the scene \"" + scene.name + "\" has some");
+  if (scene.settings.solver == Solver::fluid)
+    for (const Obstacle& o : scene.obstacles)
+      if (o.separating)
+        throw UserError("contact = \"separating\" is for solver = \"mpm\"; a fluid leaves any obstacle where its "
+                        "surface does");
   if (scene.settings.preset != Preset::tutorial) return;
   refuse_what_the_notes_lack(scene);
   check_notes_particles(scene);
@@ -63,6 +75,8 @@ std::unique_ptr<Simulation> make_simulation(const Scene& scene, Pool& pool) {
   if (scene.settings.preset == Preset::tutorial) return make_tutorial(scene, pool);
   if (scene.settings.solver == Solver::transfer)
     return scene.settings.dim == 2 ? make_round_trips<2>(scene, pool) : make_round_trips<3>(scene, pool);
+  if (scene.settings.solver == Solver::mpm)
+    return scene.settings.dim == 2 ? make_solids<2>(scene, pool) : make_solids<3>(scene, pool);
   return scene.settings.dim == 2 ? make_fluid<2>(scene, pool) : make_fluid<3>(scene, pool);
 }
 

@@ -43,6 +43,7 @@ struct Workload {
 // === What they are made of
 void run_dam_2d(const Workload& w, const BenchRequest& request, const TakeCase& take);
 void run_dam_3d(const Workload& w, const BenchRequest& request, const TakeCase& take);
+void run_solid(const Workload& w, const BenchRequest& request, const TakeCase& take);
 void run_tutorial(const Workload& w, const BenchRequest& request, const TakeCase& take);
 void run_pressure(const Workload& w, const BenchRequest& request, const TakeCase& take);
 void run_transfers(const Workload& w, const BenchRequest& request, const TakeCase& take);

@@ -11,6 +11,7 @@ std::span<const Workload> workloads() {
       {"W2", "2D dam break, 128x128 cells, about 21,000 particles, 120 frames", run_dam_2d},
       {"W3-64", "3D dam break, 64x64x64 cells, about 0.67 million particles", run_dam_3d},
       {"W3-128", "3D dam break, 128x128x128 cells, about 5.4 million particles", run_dam_3d},
+      {"M3", "3D block of jelly by MLS-MPM, 64x64x64 cells, 1 million particles", run_solid},
       {"T", "The size of the fluid notes' input: 25x50x25 cells, about 33,400 particles", run_tutorial},
       {"P-64", "The pressure alone, 64x64x64 cells", run_pressure},
       {"P-128", "The pressure alone, 128x128x128 cells", run_pressure},

@@ -9,6 +9,7 @@
 #include "sim/files/write_particles.h"
 #include "sim/frame/errors.h"
 #include "sim/kernels/kernels.h"
+#include "sim/materials/material_settings.h"
 #include "sim/museum/museum.h"
 #include "sim/scene/read_scene.h"
 #include "sim/scene/read_shape.h"
@@ -108,6 +109,13 @@ void list_schemes() {
   print(rows);
 }
 
+void list_materials() {
+  Rows rows;
+  for (const MaterialInfo& m : material_infos())
+    rows.push_back({std::string(m.name), std::string(m.label), std::string(m.summary)});
+  print(rows);
+}
+
 void list_kernels() {
   Rows rows;
   for (const Option& k : kernel_options()) rows.push_back({std::string(k.name), std::string(k.help)});
@@ -176,10 +184,11 @@ struct Subject {
   const char* name;
   void (*print)();
 };
-constexpr std::array<Subject, 10> subjects{{{"scenes", list_scene_names},
+constexpr std::array<Subject, 11> subjects{{{"scenes", list_scene_names},
                                             {"studies", list_study_names},
                                             {"schemes", list_schemes},
                                             {"kernels", list_kernels},
+                                            {"materials", list_materials},
                                             {"shapes", list_shape_names},
                                             {"formats", list_formats},
                                             {"mistakes", list_mistakes},

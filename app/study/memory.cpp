@@ -47,6 +47,16 @@ double particle_bytes(int dim, double real) {
   return real * (2 * dim + 2 + dim * dim) + 4 * 4 + 12 + 1 + 4 * (2 * dim + 2) + 8 * (dim + 1);
 }
 
+/// What a particle of a solid carries besides: V0, F, memory, V0 tau; its material, also by id.
+double carried_bytes(int dim, double real) {
+  return real * (3 + dim * dim + dim * (dim + 1) / 2) + 2;
+}
+
+/// Of solids: m, u, u_old, f, what walls keep; the beginning of its particles.
+double node_bytes(int dim, double real) {
+  return real * 6 * dim + 4;
+}
+
 /// m, u, u_old, openings, distances to the surface and the solids' velocity on faces, phi; p; the beginning of its
 /// particles; masks.
 double sample_bytes(int dim, double real) {
@@ -83,8 +93,11 @@ Need memory_need(const Resolved& resolved) {
     const double wet = std::min(cells, particles / in_cell); // rows fill cells as seeded particles do
     need.cells += cells;
     need.particles += particles;
-    need.bytes +=
-        particles * particle_bytes(s.dim, real) + samples * sample_bytes(s.dim, real) + wet * row_bytes(s.dim, real);
+    need.bytes += particles * particle_bytes(s.dim, real);
+    if (s.solver == Solver::mpm)
+      need.bytes += particles * carried_bytes(s.dim, real) + samples * node_bytes(s.dim, real);
+    else
+      need.bytes += samples * sample_bytes(s.dim, real) + wet * row_bytes(s.dim, real);
   }
   return need;
 }

@@ -16,5 +16,10 @@ std::unique_ptr<ValidationCase> still_pool_case();
 std::unique_ptr<ValidationCase> lamb_oseen_case();
 std::unique_ptr<ValidationCase> leapfrog_case();
 std::unique_ptr<ValidationCase> taylor_vortices_case();
+std::unique_ptr<ValidationCase> rotating_disc_case();
+std::unique_ptr<ValidationCase> two_discs_case();
+std::unique_ptr<ValidationCase> axial_bar_case();
+std::unique_ptr<ValidationCase> cantilever_case();
+std::unique_ptr<ValidationCase> sand_column_case();
 
 } // namespace flipbook::app

@@ -10,7 +10,7 @@ namespace flipbook::render {
 
 std::span<const ColourQuantity> colour_quantities() {
   using enum MapKind;
-  static constexpr std::array<ColourQuantity, 12> list{{
+  static constexpr std::array<ColourQuantity, 17> list{{
       {"speed", "speed", "magnitude of the velocity", "m/s", sequential},
       {"velocity_x", "velocity, x", "first component of the velocity", "m/s", diverging},
       {"velocity_y", "velocity, y", "second component of the velocity", "m/s", diverging},
@@ -22,6 +22,11 @@ std::span<const ColourQuantity> colour_quantities() {
       {"initial_z", "initial z", "where the particle began, third axis (3D)", "m", sequential},
       {"id", "particle", "each particle keeps its colour", "", cyclic},
       {"noise", "noise |v − u(x)|", "difference of the particle's velocity from the grid's", "m/s", sequential},
+      {"J", "volume J", "volume det F over that at the start (solver = \"mpm\")", "", sequential},
+      {"von_mises", "von Mises stress", "stress that changes the shape (solver = \"mpm\")", "Pa", sequential},
+      {"plastic", "plastic flow", "what plastic flow has left behind (solver = \"mpm\")", "", sequential},
+      {"material", "material", "which of the scene's materials (solver = \"mpm\")", "", sequential},
+      {"spokes", "spokes", "marks that turn with the material (solver = \"mpm\")", "", sequential},
       {"residual", "residual |v − v₀|", "what has changed of the particle's velocity (solver = \"transfer\")", "m/s",
        sequential},
   }};

@@ -205,8 +205,8 @@ struct Loss {
   double percent;
 };
 
-/// What each stage but the forces took. Where G2P gives back what P2G took out (FLIP keeps on the particles what the
-/// grid cannot hold), only both together say something.
+/// What each stage but the forces took: gravity and stress only turn energy into another kind. Where G2P gives back
+/// what P2G took out (FLIP keeps on the particles what the grid cannot hold), only both together say something.
 std::vector<Loss> losses(const Reader& r) {
   std::vector<Loss> list;
   const LedgerTable& l = r.table();
@@ -221,7 +221,7 @@ std::vector<Loss> losses(const Reader& r) {
   for (std::size_t s = 0; s < l.stages.size(); ++s) {
     const double lost = -percent * r.change(s, r.at().kinetic);
     const std::string& name = l.stages[s].name;
-    if (name == "forces") continue;
+    if (name == "forces" || name == "stress") continue;
     if (together && (name == "p2g" || name == "free_faces" || name == "g2p"))
       list.front().percent += lost;
     else

@@ -9,20 +9,25 @@
 namespace flipbook::render {
 namespace {
 
-constexpr std::array<PlotName, 29> names{{
+constexpr std::array<PlotName, 34> names{{
     {"kinetic", "kinetic energy", "kinetic"},
     {"potential", "potential energy", "potential"},
+    {"elastic", "elastic energy", "elastic"},
     {"total", "total energy", "total"},
+    {"energy_ratio", "energy, share of that at the start", "E / E₀"},
     {"transfer_loss", "kinetic energy lost in transfers", "lost in transfers"},
     {"lost_p2g", "kinetic energy lost in P2G", "lost: P2G"},
     {"lost_free_faces", "kinetic energy lost at free faces", "lost: free faces"},
     {"lost_forces", "kinetic energy lost to forces", "lost: forces"},
+    {"lost_stress", "kinetic energy lost to the stress", "lost: stress"},
+    {"lost_contact", "kinetic energy lost in contact", "lost: contact"},
     {"lost_walls", "kinetic energy lost at walls", "lost: walls"},
     {"lost_projection", "kinetic energy lost in projection", "lost: projection"},
     {"lost_extrapolation", "kinetic energy lost in extrapolation", "lost: extrapolation"},
     {"lost_second_half", "kinetic energy lost in the second half", "lost: second half"},
     {"lost_g2p", "kinetic energy lost in G2P", "lost: G2P"},
     {"lost_advection", "kinetic energy lost in advection", "lost: advection"},
+    {"lost_motion", "kinetic energy lost in motion", "lost: motion"},
     {"lost_spacing", "kinetic energy lost in spacing", "lost: spacing"},
     {"momentum_x", "momentum, x", "p, x"},
     {"momentum_y", "momentum, y", "p, y"},

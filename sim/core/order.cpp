@@ -122,6 +122,7 @@ void sort_by_cell(Particles<Dim, Real>& particles, const Grid<Dim>& grid, CellOr
   for (auto& column : particles.x) permute(column, room, s.source, pool);
   for (auto& column : particles.v) permute(column, room, s.source, pool);
   for (auto& column : particles.A) permute(column, room, s.source, pool);
+  for (auto& column : particles.carried) permute(column, room, s.source, pool);
   permute(particles.m, room, s.source, pool);
   permute(particles.id, s.id, s.source, pool);
 }

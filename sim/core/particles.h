@@ -31,6 +31,7 @@ template <int Dim, class Real> struct Particles {
   std::vector<std::vector<Real>>
       A; ///< affine_size(mode) columns (1/s): rigid: omega; full: C row by row, C(a,b) = dv_a/dx_b;
          ///< polynomial: for each a the coefficients of x, y, xy(, z, xz, yz, xyz) in v_a (1/s, 1/(m s), ..)
+  std::vector<std::vector<Real>> carried; ///< columns of a solver's own, which sorting moves along
 
   [[nodiscard]] std::size_t size() const { return id.size(); }
 
@@ -53,6 +54,7 @@ template <int Dim, class Real> struct Particles {
     m.push_back(mass);
     id.push_back(name);
     for (auto& column : A) column.push_back(Real(0));
+    for (auto& column : carried) column.push_back(Real(0));
   }
 
 private:

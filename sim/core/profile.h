@@ -20,6 +20,7 @@ enum class Phase {
   p2g,
   extrapolate,
   forces, ///< with what walls do to the grid's velocity
+  stress, ///< of materials, and its forces on the grid
   pressure_setup,
   pressure_solve, ///< with the change of the velocity
   g2p,
@@ -31,9 +32,9 @@ enum class Phase {
   other,
   outside ///< of what is measured
 };
-inline constexpr std::array<std::string_view, 14> phase_names{
-    "sort", "level set", "P2G",    "extrapolate", "forces", "pressure set-up", "pressure solve",
-    "G2P",  "advect",    "ledger", "snapshot",    "draw",   "encode",          "other"}; ///< all but the last
+inline constexpr std::array<std::string_view, 15> phase_names{
+    "sort",   "level set", "P2G",      "extrapolate", "forces", "stress", "pressure set-up", "pressure solve", "G2P",
+    "advect", "ledger",    "snapshot", "draw",        "encode", "other"}; ///< all but the last
 
 class Profile {
 public:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/fluid/advect.h"
 
+#include "sim/fluid/confine.h"
 #include "sim/transfer/interpolate.h"
 #include "sim/transfer/lanes.h"
 
@@ -16,14 +17,7 @@ public:
   using Point = std::array<T, Dim>;
 
   Mover(Advection method, const Velocity& velocity, const Grid<Dim>& grid, const Walls<Dim, Real>& walls, double dt)
-      : method_(method), velocity_(velocity), dt_(static_cast<Real>(dt)),
-        gap_(static_cast<Real>(Walls<Dim, Real>::gap * grid.dx)) {
-    for (int a = 0; a < Dim; ++a) {
-      const auto axis = static_cast<std::size_t>(a);
-      size_[axis] = static_cast<Real>(grid.cells[a] * grid.dx);
-      periodic_[axis] = walls.periodic(a);
-    }
-  }
+      : method_(method), velocity_(velocity), dt_(static_cast<Real>(dt)), confine_(grid, walls) {}
 
   [[nodiscard]] Point velocity(const Point& x) const { return velocity_(x); }
 
@@ -40,7 +34,7 @@ public:
         for (std::size_t d = 0; d < Dim; ++d) x[d] += T(dt_ / 9) * (T(2) * k1[d] + T(3) * k2[d] + T(4) * k3[d]);
       }
     }
-    return confine(x);
+    return confine_(x);
   }
 
 private:
@@ -51,36 +45,16 @@ private:
   /// The velocity at x + dt v. Stages that leave the domain see it at the wall, or across the periodic side.
   [[nodiscard]] Point at_stage(Point x, Real dt, const Point& v) const {
     move(x, dt, v);
-    (void)confine(x);
+    (void)confine_(x);
     // A particle that stopped being finite must not be looked up; it is reported at the end of the step.
-    for (std::size_t d = 0; d < Dim; ++d) x[d] = choose(x[d] >= T(0) && x[d] <= T(size_[d]), x[d], T(0));
+    for (std::size_t d = 0; d < Dim; ++d) x[d] = choose(confine_.holds(x[d], d), x[d], T(0));
     return velocity_(x);
-  }
-
-  /// As Walls::confine.
-  bool confine(Point& x) const {
-    bool met = false;
-    for (std::size_t d = 0; d < Dim; ++d) {
-      const T size(size_[d]);
-      if (periodic_[d]) {
-        const auto inside = x[d] >= T(0) && x[d] < size;
-        const T wrapped = x[d] - size * round_down(x[d] / size);
-        x[d] = choose(inside, x[d], choose(wrapped >= size, T(0), wrapped));
-      } else {
-        const T lowest(gap_), highest(size_[d] - gap_);
-        const auto below = x[d]<lowest, above = x[d]> highest;
-        met = met || any_of(below || above);
-        x[d] = choose(below, lowest, choose(above, highest, x[d]));
-      }
-    }
-    return met;
   }
 
   Advection method_;
   const Velocity& velocity_;
-  Real dt_, gap_;
-  std::array<Real, Dim> size_;
-  std::array<bool, Dim> periodic_;
+  Real dt_;
+  Confine<Dim, Real> confine_;
 };
 
 /// A particle that flies on its own; a wall takes what points into it of its velocity.

@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How long a step may be, and whether it went well.
+// How long a step may be.
 #include "sim/fluid/fluid_solver.h"
 #include "sim/fluid/largest.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace flipbook {
-namespace {
-
-template <class Real> bool all_finite(const Real* begin, const Real* end) {
-  constexpr std::ptrdiff_t count = 8;
-  std::array<Real, count> zero{}; // stay zero unless something is not finite
-  for (; end - begin >= count; begin += count)
-    for (std::ptrdiff_t l = 0; l < count; ++l) zero[static_cast<std::size_t>(l)] += 0 * begin[l];
-  for (; begin < end; ++begin) zero[0] += 0 * *begin;
-  return std::all_of(zero.begin(), zero.end(), [](Real z) { return z == 0; });
-}
-
-} // namespace
-
 template <int Dim, class Real> double FluidSolver<Dim, Real>::max_dt() const {
   const auto& s = state_;
   const auto count = static_cast<std::int64_t>(s.particles.size());
@@ -50,26 +36,7 @@ template <int Dim, class Real> double FluidSolver<Dim, Real>::max_dt() const {
   return s.solids.max_dt(s.time, s.settings.time.cfl, bound > 0 ? std::min(bound, dt) : dt, s.walls);
 }
 
-template <int Dim, class Real> void FluidSolver<Dim, Real>::check_finite() const {
-  const auto& particles = state_.particles;
-  const auto count = static_cast<std::int64_t>(particles.size());
-  pool_.ranges(count, 8192, [&](std::int64_t begin, std::int64_t end) {
-    auto first = static_cast<std::size_t>(end); // that is not finite
-    const auto look = [&](const std::vector<Real>& column) {
-      if (all_finite(column.data() + begin, column.data() + end)) return;
-      const auto bad = std::find_if(column.begin() + begin, column.end(), [](Real x) { return !std::isfinite(x); });
-      first = std::min(first, static_cast<std::size_t>(bad - column.begin()));
-    };
-    for (std::size_t d = 0; d < Dim; ++d) look(particles.x[d]), look(particles.v[d]);
-    for (const auto& column : particles.A) look(column);
-    if (first < static_cast<std::size_t>(end))
-      throw NonFiniteError(title(), state_.steps, state_.time, particles.id[first]);
-  });
-}
-
-#define FLIPBOOK_BOUNDS(Dim, Real)                                                                                     \
-  template double FluidSolver<Dim, Real>::max_dt() const;                                                              \
-  template void FluidSolver<Dim, Real>::check_finite() const;
+#define FLIPBOOK_BOUNDS(Dim, Real) template double FluidSolver<Dim, Real>::max_dt() const;
 FLIPBOOK_BOUNDS(2, float)
 FLIPBOOK_BOUNDS(2, double)
 FLIPBOOK_BOUNDS(3, float)

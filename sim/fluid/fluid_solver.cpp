@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/fluid/fluid_solver.h"
 
+#include "sim/core/check_finite.h"
 #include "sim/fluid/level_set.h"
 #include "sim/fluid/spacing.h"
 #include "sim/transfer/transfer.h"
@@ -23,7 +24,8 @@ FluidSolver<Dim, Real>::FluidSolver(const Settings& settings, Particles<Dim, Rea
                                     std::vector<Obstacle> obstacles, std::unique_ptr<StageHook<Dim, Real>> hook)
     : pool_(pool), state_(settings, grid_of<Dim>(settings), std::move(particles), std::move(obstacles)),
       recorder_(state_.particles) {
-  check_finite();
+  check_finite(
+      state_.particles, [&] { return title(); }, state_.steps, state_.time, pool_);
   place_solids(0);
   state_.particles.set_mode(settings.transfer.corner().mode);
   find_liquid();
@@ -75,7 +77,8 @@ template <int Dim, class Real> void FluidSolver<Dim, Real>::step(double dt) {
   state_.time += dt;
   state_.last_dt = dt;
   ++state_.steps;
-  check_finite();
+  check_finite(
+      state_.particles, [&] { return title(); }, state_.steps, state_.time, pool_);
   const Timed timed(profile_, Phase::ledger);
   if (ledger_) ledger_->end_step(state_);
 }

@@ -74,7 +74,6 @@ private:
   void combine(Real a, Real b, const Components<Dim, Real>& other);
   void gather_affine_state();
   void count_solve() const; ///< for the profile
-  void check_finite() const;
 
   Pool& pool_;
   FluidState<Dim, Real> state_;

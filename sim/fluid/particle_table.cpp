@@ -31,7 +31,8 @@ template <int Dim> std::vector<std::string> affine_names(AffineMode mode) {
 } // namespace
 
 template <int Dim, class Real>
-ParticleTable particle_table(const Particles<Dim, Real>& particles, const std::array<double, 3>& origin) {
+ParticleTable particle_table(const Particles<Dim, Real>& particles, const std::array<double, 3>& origin,
+                             const std::vector<std::string>& carried) {
   ParticleTable table;
   table.dim = Dim;
   table.single = std::is_same_v<Real, float>;
@@ -49,12 +50,17 @@ ParticleTable particle_table(const Particles<Dim, Real>& particles, const std::a
   for (std::size_t a = 0; a < Dim; ++a) add(std::string("v") + axes[a], particles.v[a], 0);
   const std::vector<std::string> names = affine_names<Dim>(particles.mode);
   for (std::size_t c = 0; c < names.size(); ++c) add(names[c], particles.A[c], 0);
+  for (std::size_t c = 0; c < carried.size(); ++c) add(carried[c], particles.carried[c], 0);
   return table;
 }
 
-template ParticleTable particle_table(const Particles<2, float>&, const std::array<double, 3>&);
-template ParticleTable particle_table(const Particles<2, double>&, const std::array<double, 3>&);
-template ParticleTable particle_table(const Particles<3, float>&, const std::array<double, 3>&);
-template ParticleTable particle_table(const Particles<3, double>&, const std::array<double, 3>&);
+template ParticleTable particle_table(const Particles<2, float>&, const std::array<double, 3>&,
+                                      const std::vector<std::string>&);
+template ParticleTable particle_table(const Particles<2, double>&, const std::array<double, 3>&,
+                                      const std::vector<std::string>&);
+template ParticleTable particle_table(const Particles<3, float>&, const std::array<double, 3>&,
+                                      const std::vector<std::string>&);
+template ParticleTable particle_table(const Particles<3, double>&, const std::array<double, 3>&,
+                                      const std::vector<std::string>&);
 
 } // namespace flipbook

@@ -9,6 +9,7 @@ namespace flipbook {
 
 /// In the order of the ids; `origin` is added to the positions.
 template <int Dim, class Real>
-[[nodiscard]] ParticleTable particle_table(const Particles<Dim, Real>& particles, const std::array<double, 3>& origin);
+[[nodiscard]] ParticleTable particle_table(const Particles<Dim, Real>& particles, const std::array<double, 3>& origin,
+                                           const std::vector<std::string>& carried = {});
 
 } // namespace flipbook

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sim/fluid/recorder.h"
 
-#include "sim/boundary/surface.h"
 #include "sim/fluid/channels.h"
 #include "sim/fluid/history.h"
 #include "sim/fluid/publish.h"
@@ -40,27 +39,6 @@ Channel Recorder<Dim, Real>::channel(const FluidState<Dim, Real>& state, const s
   throw UserError("unknown particle quantity \"" + name + "\"", {}, nearest_name(name, known));
 }
 
-template <int Dim, class Real> std::vector<Solid> Recorder<Dim, Real>::solids(const FluidState<Dim, Real>& state) {
-  const auto& obstacles = state.solids.all();
-  surfaces_.resize(obstacles.size());
-  std::vector<Solid> all;
-  const Vec<Dim, double> size = state.grid.size_m();
-  Axes periodic{};
-  for (int a = 0; a < Dim; ++a) periodic[static_cast<std::size_t>(a)] = state.walls.periodic(a);
-  for (const auto& standing : state.solids.standing()) {
-    bool inside = true; // some of it; one may stand beside the domain, about to come in
-    for (std::size_t d = 0; d < Dim; ++d)
-      inside = inside && standing.bounds.lo[d] < size[static_cast<int>(d)] && standing.bounds.hi[d] > 0;
-    if (!inside) continue;
-    auto& surface = surfaces_[standing.obstacle];
-    if (!surface) surface = solid_surface(obstacles[standing.obstacle], domain_of(state.settings), periodic);
-    Pose pose = standing.pose;
-    for (std::size_t d = 0; d < 3; ++d) pose.shift[d] += standing.shift[d];
-    all.push_back({surface, pose, static_cast<std::uint32_t>(standing.obstacle)});
-  }
-  return all;
-}
-
 template <int Dim, class Real>
 std::shared_ptr<const Snapshot> Recorder<Dim, Real>::snapshot(const FluidState<Dim, Real>& state,
                                                               FluidLedger<Dim, Real>* ledger, std::uint64_t frame,
@@ -84,7 +62,7 @@ std::shared_ptr<const Snapshot> Recorder<Dim, Real>::snapshot(const FluidState<D
 
   publish_domain(state.grid, state.walls, settings.seeding.per_axis, *s);
   s->up = settings.fluid.up(Dim);
-  s->solids = solids(state);
+  s->solids = surfaces_.standing(state.solids, state.walls, domain_of(settings));
 
   publish_particles(state.particles, *s, pool);
   for (const std::string& name : request.channels) s->channels.push_back(channel(state, name, pool));

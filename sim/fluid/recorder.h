@@ -3,6 +3,7 @@
 #pragma once
 
 #include "sim/fluid/fluid_ledger.h"
+#include "sim/fluid/solid_surfaces.h"
 #include "sim/frame/curves.h"
 #include "sim/frame/snapshot.h"
 
@@ -22,12 +23,11 @@ public:
 
 private:
   [[nodiscard]] Channel channel(const FluidState<Dim, Real>& state, const std::string& name, Pool& pool);
-  [[nodiscard]] std::vector<Solid> solids(const FluidState<Dim, Real>& state);
 
   std::vector<std::array<float, 3>> initial_;
   ChannelRanges ranges_;
   History history_;
-  std::vector<std::shared_ptr<const TriangleMesh>> surfaces_; ///< of each obstacle, once it has been asked for
+  SolidSurfaces surfaces_;
 };
 
 } // namespace flipbook

@@ -67,6 +67,14 @@ public:
   /// u.n = U.n or u = U on the faces inside. Pads of u must be filled.
   void constrain(const Walls<Dim, Real>& walls, Components<Dim, Real>& u, Pool& pool);
 
+  /// Of a node whose distance is negative: which obstacle holds it, how fast it moves there (m/s), and the way out; the
+  /// zero vector where the distance has no direction.
+  struct Hold {
+    std::size_t obstacle;
+    Vec<Dim, Real> U, n;
+  };
+  [[nodiscard]] Hold hold_on_node(const Index<Dim>& node) const;
+
   // === The particles
   /// Moves particles that are in an obstacle, or nearer to it than a thousandth of a cell, to that distance along the
   /// gradient. Ballistic ones lose what of their velocity relative to it points into it.

@@ -216,8 +216,30 @@ void Solids<Dim, Real>::constrain(const Walls<Dim, Real>& walls, Components<Dim,
     });
 }
 
+// === On nodes
+
+template <int Dim, class Real>
+typename Solids<Dim, Real>::Hold Solids<Dim, Real>::hold_on_node(const Index<Dim>& node) const {
+  const auto at = static_cast<std::size_t>(grid_.at(node));
+  const Standing& s = standing_[owner_[at]];
+  Point x{0, 0, 0};
+  Hold hold{s.obstacle, {}, {}};
+  for (int d = 0; d < Dim; ++d) {
+    x[static_cast<std::size_t>(d)] = grid_.dx * (node[d] - Grid<Dim>::pad);
+    const auto along = static_cast<std::size_t>(grid_.stride(d));
+    const bool lowest = node[d] == 0, highest = node[d] == grid_.extent()[d] - 1;
+    const Real slope = phi_[highest ? at : at + along] - phi_[lowest ? at : at - along];
+    hold.n[d] = lowest || highest ? 2 * slope : slope;
+  }
+  const Point U = velocity(s, x);
+  for (int d = 0; d < Dim; ++d) hold.U[d] = static_cast<Real>(U[static_cast<std::size_t>(d)]);
+  if (const Real length = hold.n.norm(); length > 0) hold.n /= length;
+  return hold;
+}
+
 #define FLIPBOOK_SOLIDS(Dim, Real)                                                                                     \
   template Point Solids<Dim, Real>::velocity(const Standing&, const Point&) const;                                     \
+  template Solids<Dim, Real>::Hold Solids<Dim, Real>::hold_on_node(const Index<Dim>&) const;                           \
   template void Solids<Dim, Real>::give_velocity(double, double, Walls<Dim, Real>&, Pool&);                            \
   template double Solids<Dim, Real>::max_dt(double, double, double, const Walls<Dim, Real>&) const;                    \
   template void Solids<Dim, Real>::before_projection(const Components<Dim, Real>&);                                    \

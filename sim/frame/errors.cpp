@@ -21,12 +21,23 @@ std::string located(const std::string& message, const Location& where, std::stri
   return text;
 }
 
-std::string non_finite(std::string_view scheme, std::uint64_t step, double time, std::uint32_t particle) {
-  std::array<char, 32> t{};
-  const auto end = std::to_chars(t.data(), t.data() + t.size(), time, std::chars_format::general, 6).ptr;
+std::string short_number(double x) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), x, std::chars_format::general, 6).ptr;
+  return {digits.data(), end};
+}
+
+std::string went_wrong(std::string_view scheme, std::uint64_t step, double time, std::uint32_t particle,
+                       std::string_view what) {
   std::string text(scheme);
-  text.append(": particle ").append(std::to_string(particle)).append(" is no longer finite after step ");
-  return text.append(std::to_string(step)).append(" (t = ").append(t.data(), end).append(" s)");
+  text.append(": particle ").append(std::to_string(particle)).append(" ").append(what).append(" after step ");
+  return text.append(std::to_string(step)).append(" (t = ").append(short_number(time)).append(" s)");
+}
+
+std::string inverted(std::string_view material, double det_F) {
+  std::string text("of ");
+  text.append(material).append(" is turned inside out (det F = ").append(short_number(det_F));
+  return text.append("; a smaller time.cfl or material.model = \"fixed_corotated\" may help)");
 }
 
 /// Insertions, deletions, replacements and swaps of neighbours (optimal string alignment), case ignored.
@@ -67,8 +78,13 @@ void Mistakes::raise() const {
   throw UserError(all);
 }
 
-NonFiniteError::NonFiniteError(std::string_view scheme, std::uint64_t at_step, double time, std::uint32_t id)
-    : std::runtime_error(non_finite(scheme, at_step, time, id)), step(at_step), particle(id) {}
+NonFiniteError::NonFiniteError(std::string_view scheme, std::uint64_t at_step, double time, std::uint32_t id,
+                               std::string_view what)
+    : std::runtime_error(went_wrong(scheme, at_step, time, id, what)), step(at_step), particle(id) {}
+
+InvertedError::InvertedError(std::string_view scheme, std::uint64_t at_step, double time, std::uint32_t id,
+                             std::string_view material, double det_F)
+    : NonFiniteError(scheme, at_step, time, id, inverted(material, det_F)) {}
 
 std::string nearest_name(std::string_view word, std::span<const std::string> valid) {
   constexpr std::size_t longest = 200; // the comparison is quadratic; nobody mistypes a name this long

@@ -48,9 +48,22 @@ public:
 /// A particle stopped being finite: exit code 4. It is never drawn away.
 class NonFiniteError : public std::runtime_error {
 public:
-  NonFiniteError(std::string_view scheme, std::uint64_t step, double time, std::uint32_t particle);
+  NonFiniteError(std::string_view scheme, std::uint64_t at_step, double time, std::uint32_t id)
+      : NonFiniteError(scheme, at_step, time, id, "is no longer finite") {}
   std::uint64_t step;
   std::uint32_t particle; ///< the particle's id
+
+protected:
+  /// `what`: "is no longer finite".
+  NonFiniteError(std::string_view scheme, std::uint64_t at_step, double time, std::uint32_t id, std::string_view what);
+};
+
+/// A particle's material was turned inside out, where it has no energy and so no stress: nothing finite follows.
+class InvertedError : public NonFiniteError {
+public:
+  /// `det_F`: what should have been positive.
+  InvertedError(std::string_view scheme, std::uint64_t at_step, double time, std::uint32_t id,
+                std::string_view material, double det_F);
 };
 
 /// The name in `valid` that is nearest to `word` by edit distance (case ignored), or empty if none is near enough to be

@@ -28,7 +28,7 @@ struct LedgerTable {
   /// What a proposition says about a stage and a quantity, in every step of the run so far.
   enum class Claim : std::uint8_t {
     none,  ///< it says nothing here, or its conditions do not hold
-    holds, ///< no change (of kinetic energy: no rise) beyond rounding
+    holds, ///< no change (of energies: no rise) beyond rounding
     fails
   };
   /// One interval: a frame, or a single step where ledger.rows = "step".
@@ -45,8 +45,9 @@ struct LedgerTable {
   std::vector<double> step;  ///< changes during the last step
   std::vector<double> total; ///< changes since the start
   std::vector<Claim> claims;
-  /// Kinetic energy that the run had to spend (J): held at the start, plus what the forces and moving obstacles gave.
-  /// What percentages of `total` refer to; those of `step` refer to `step_in`: held before the step, plus the same.
+  /// Kinetic and elastic energy that the run had to spend (J): held at the start, plus what the forces and moving
+  /// obstacles gave. What percentages of `total` refer to; those of `step` refer to `step_in`: held before the step,
+  /// plus the same.
   double energy_in = 0, step_in = 0;
   std::vector<Account> accounts; ///< since the last snapshot
 

@@ -85,11 +85,39 @@ VelocityPtr read_velocity(const Node& node, Mistakes& mistakes) {
   return nullptr;
 }
 
-Body read_body(const Node& table, SceneFiles& files, Mistakes& mistakes) {
+namespace {
+
+/// `material = { model = "sand", E = 1e6 }`: what is not said is as in the scene's own material of that model.
+std::shared_ptr<const MaterialSettings> read_material(const Node& node, const Settings& settings, Mistakes& mistakes) {
+  if (node.type != Node::Type::table) {
+    mistakes.add("\"material\" of a body must be a table such as { model = \"snow\", E = 1e5 }, not " + to_toml(node),
+                 node.where);
+    return nullptr;
+  }
+  if (settings.solver != Solver::mpm) {
+    mistakes.add("a body has a \"material\" with solver = \"mpm\" only", node.where);
+    return nullptr;
+  }
+  auto material = std::make_shared<MaterialSettings>(settings.material);
+  std::vector<Assignment> all;
+  for (const Node& entry : node.items) flatten(entry, entry.key, all, mistakes);
+  // The model first: it decides what the other names mean.
+  std::stable_partition(all.begin(), all.end(), [](const Assignment& a) { return a.path == "model"; });
+  for (const Assignment& a : all)
+    if (const Refusal r = set_parameter(*material, a.path, a.value); !r.message.empty())
+      mistakes.add(r.message, a.where, r.nearest);
+  return material;
+}
+
+} // namespace
+
+Body read_body(const Node& table, const Settings& settings, SceneFiles& files, Mistakes& mistakes) {
   Body body;
-  static constexpr std::string_view own[] = {"velocity"};
+  static constexpr std::string_view own[] = {"velocity", "material"};
   body.shape = read_shape(table, own, files, mistakes);
   const Node* velocity = table.type == Node::Type::table ? table.find("velocity") : nullptr;
+  if (const Node* material = table.type == Node::Type::table ? table.find("material") : nullptr)
+    body.material = read_material(*material, settings, mistakes);
   body.velocity = velocity ? read_velocity(*velocity, mistakes) : components_velocity({0, 0, 0}, {});
   return body;
 }

@@ -35,7 +35,7 @@ void add_contents(const SceneText& text, Scene& scene, Mistakes& mistakes) {
   if (!table.find("body") && !table.find("particles"))
     mistakes.add("the scene has no fluid: it needs at least one [[body]] or [[particles]]", table.where);
   each_table(table, "body", "bodies", mistakes, [&](const Node& entry) {
-    Body body = read_body(entry, files, mistakes);
+    Body body = read_body(entry, scene.settings, files, mistakes);
     if (body.shape && body.velocity) scene.fluid.push_back(std::move(body));
   });
   each_table(table, "particles", "files of particles", mistakes, [&](const Node& entry) {
@@ -113,6 +113,16 @@ void complete_cells(Settings& settings, std::span<const Assignment> changes) {
   settings.grid.cells[2] = static_cast<int>(std::clamp(std::round(along_z), 1.0, 16384.0));
 }
 
+/// On nodes the linear kernel has to be asked for: forces through its gradient jump where a particle leaves a cell.
+void usual_kernel(Settings& settings, std::span<const Assignment> changes) {
+  const auto last = [&](std::string_view path) {
+    return std::find_if(changes.rbegin(), changes.rend(), [&](const Assignment& a) { return a.path == path; });
+  };
+  const auto solver = last("solver");
+  if (solver != changes.rend() && solver->value == Value("mpm") && last("transfer.kernel") == changes.rend())
+    settings.transfer.kernel = KernelName::quadratic;
+}
+
 void refuse_conflicts(const Settings& settings, std::span<const Assignment> changes, Mistakes& mistakes) {
   const Settings::Conflict conflict = settings.conflict();
   if (conflict.message.empty()) return;
@@ -123,6 +133,7 @@ void refuse_conflicts(const Settings& settings, std::span<const Assignment> chan
 } // namespace
 
 void apply(Settings& settings, std::span<const Assignment> changes, Mistakes& mistakes) {
+  usual_kernel(settings, changes);
   const std::vector<Parameter> all = parameters_of(settings);
   std::vector<std::pair<std::size_t, const Assignment*>> ordered;
   for (const Assignment& a : changes) ordered.emplace_back(rank(all, a.path), &a);

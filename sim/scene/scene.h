@@ -15,10 +15,11 @@
 
 namespace flipbook {
 
-/// Fluid that is there at the start. Where bodies overlap, the first decides the velocity.
+/// Fluid, or with solver = "mpm" a solid, that is there at the start. Where bodies overlap, the first decides.
 struct Body {
   ShapePtr shape;
   VelocityPtr velocity;
+  std::shared_ptr<const MaterialSettings> material{}; ///< null: the scene's own
 };
 
 /// Fluid whose particles come from a file.

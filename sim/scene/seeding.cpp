@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace flipbook {
 namespace {
@@ -105,7 +106,7 @@ std::uint64_t rows_of(const Scene& scene) {
 
 } // namespace
 
-template <int Dim, class Real> Particles<Dim, Real> seed_particles(const Scene& scene, const Grid<Dim>& grid) {
+template <int Dim, class Real> Seeded<Dim, Real> seed_bodies(const Scene& scene, const Grid<Dim>& grid) {
   const Domain domain = scene.domain();
   const Vec<Dim, double> size = grid.size_m();
   for (const ParticleSource& source : scene.particles) check_rows(source, scene.settings);
@@ -122,32 +123,44 @@ template <int Dim, class Real> Particles<Dim, Real> seed_particles(const Scene& 
     throw UserError("scene \"" + scene.name + "\" would have " + std::to_string(count) + " particles; at most " +
                     std::to_string(most_particles) + " are supported");
 
-  Particles<Dim, Real> particles;
+  Seeded<Dim, Real> seeded;
+  Particles<Dim, Real>& particles = seeded.particles;
+  seeded.body.reserve(count);
   for (auto& column : particles.x) column.reserve(count);
   for (auto& column : particles.v) column.reserve(count);
   particles.m.reserve(count);
   particles.id.reserve(count);
   const double mass =
       scene.settings.fluid.density * std::pow(grid.dx, Dim) / std::pow(scene.settings.seeding.per_axis, Dim);
-  const auto add = [&](const Point& p, const Point& v) {
+  const auto add = [&](const Point& p, const Point& v, int body) {
     Vec<Dim, Real> x, u;
     for (int d = 0; d < Dim; ++d) {
       x[d] = below<Real>(p[static_cast<std::size_t>(d)], size[d]);
       u[d] = static_cast<Real>(v[static_cast<std::size_t>(d)]);
     }
     particles.add(x, u, static_cast<Real>(mass), static_cast<std::uint32_t>(particles.size()));
+    seeded.body.push_back(body);
   };
   for (const ParticleSource& source : scene.particles)
     for (std::size_t i = 0; i < source.rows->size(); ++i) {
       const Point p = from_corner(source.rows->x[i], scene.settings);
-      add(p, source.velocity ? source.velocity->at(p, domain) : source.rows->v[i]);
+      add(p, source.velocity ? source.velocity->at(p, domain) : source.rows->v[i], -1);
     }
   places.each([&](const Point& p) {
-    if (const Body* body = body_at(scene, domain, blocked, p)) add(p, body->velocity->at(p, domain));
+    if (const Body* body = body_at(scene, domain, blocked, p))
+      add(p, body->velocity->at(p, domain), static_cast<int>(body - scene.fluid.data()));
   });
-  return particles;
+  return seeded;
 }
 
+template <int Dim, class Real> Particles<Dim, Real> seed_particles(const Scene& scene, const Grid<Dim>& grid) {
+  return std::move(seed_bodies<Dim, Real>(scene, grid).particles);
+}
+
+template Seeded<2, float> seed_bodies<2, float>(const Scene&, const Grid<2>&);
+template Seeded<2, double> seed_bodies<2, double>(const Scene&, const Grid<2>&);
+template Seeded<3, float> seed_bodies<3, float>(const Scene&, const Grid<3>&);
+template Seeded<3, double> seed_bodies<3, double>(const Scene&, const Grid<3>&);
 template Particles<2, float> seed_particles<2, float>(const Scene&, const Grid<2>&);
 template Particles<2, double> seed_particles<2, double>(const Scene&, const Grid<2>&);
 template Particles<3, float> seed_particles<3, float>(const Scene&, const Grid<3>&);

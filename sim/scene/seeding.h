@@ -17,4 +17,11 @@ namespace flipbook {
 template <int Dim, class Real>
 [[nodiscard]] Particles<Dim, Real> seed_particles(const Scene& scene, const Grid<Dim>& grid);
 
+/// The same, with the body that each of them belongs to, an index into scene.fluid; -1: a file's row.
+template <int Dim, class Real> struct Seeded {
+  Particles<Dim, Real> particles;
+  std::vector<int> body;
+};
+template <int Dim, class Real> [[nodiscard]] Seeded<Dim, Real> seed_bodies(const Scene& scene, const Grid<Dim>& grid);
+
 } // namespace flipbook

@@ -2,8 +2,9 @@
 #include "sim/scene/settings.h"
 
 #include "sim/scene/preset.h"
-#include "sim/scene/round_trips.h"
+#include "sim/scene/solver_filter.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -21,15 +22,20 @@ constexpr Option splittings[] = {{"lie", "Transfer, forces, projection, advectio
                                  {"midpoint", "Forces and projection at the middle of the step; second order"},
                                  {"reflection", "Advection, reflection about the projected velocity, advection"}};
 constexpr Option methods[] = {{"fluid", "Incompressible flow with a free surface"},
-                              {"transfer", "Nothing but the transfers: particles to grid and back, over and over"}};
+                              {"transfer", "Nothing but the transfers: particles to grid and back, over and over"},
+                              {"mpm", "Solids and granular matter by the material point method"}};
+constexpr Option forces_of_stress[] = {{"gradient", "Through the gradient of the kernel"},
+                                       {"mls", "Through the affine part of a moving least squares fit: MLS-MPM"}};
 constexpr Option layouts[] = {{"mac", "Each component at the middles of the faces across its axis"},
                               {"nodes", "All components at the corners of the cells"}};
 constexpr Option ledger_rows[] = {{"frame", "One account a frame"}, {"step", "One account a step"}};
 constexpr Option advections[] = {
     {"rk1", "Forward Euler"}, {"rk2", "Midpoint rule"}, {"rk3", "Ralston's third-order rule"}};
-constexpr Option wall_kinds[] = {{"free_slip", "Nothing passes; sliding along is free"},
-                                 {"no_slip", "Nothing passes; the fluid at the wall stands still"},
-                                 {"periodic", "What leaves on one side enters on the other"}};
+constexpr Option wall_kinds[] = {
+    {"free_slip", "Nothing passes; sliding along is free"},
+    {"no_slip", "Nothing passes; the fluid at the wall stands still"},
+    {"periodic", "What leaves on one side enters on the other"},
+    {"separating", "Nothing passes, what moves away is let go, what is pressed on it rubs"}};
 constexpr Option surfaces[] = {{"ghost", "Zero pressure where the level set is zero: second order"},
                                {"voxel", "Zero pressure at the centres of air cells: first order"},
                                {"full", "No air: every cell is fluid"}};
@@ -110,6 +116,13 @@ void WallSettings::describe(ParameterVisitor& v) {
   v.choice({.name = "x", .help = "The two walls across x", .effect = Effect::restart}, axis[0], wall_kinds);
   v.choice({.name = "y", .help = "The two walls across y", .effect = Effect::restart}, axis[1], wall_kinds);
   v.choice({.name = "z", .help = "The two walls across z; only in 3D", .effect = Effect::restart}, axis[2], wall_kinds);
+  v.real({.name = "friction",
+          .help = "Coulomb's coefficient of friction on walls that are \"separating\"",
+          .min = 0,
+          .max = 10,
+          .level = Level::teach,
+          .applies = std::find(axis.begin(), axis.end(), Wall::separating) != axis.end()},
+         friction);
 }
 
 void FluidSettings::describe(ParameterVisitor& v) {
@@ -156,6 +169,11 @@ void PressureSettings::describe(ParameterVisitor& v) {
             max_iterations);
 }
 
+void MpmSettings::describe(ParameterVisitor& v) {
+  v.choice({.name = "forces", .help = "What the stress of a particle acts on the grid through"}, forces,
+           forces_of_stress);
+}
+
 void LedgerSettings::describe(ParameterVisitor& v) {
   v.flag({.name = "on",
           .help = "Measure momentum, angular momentum and energy at every stage of a step",
@@ -174,7 +192,7 @@ void LedgerSettings::describe(ParameterVisitor& v) {
 
 void Settings::describe(ParameterVisitor& all) {
   PresetFilter presets_apart(all, *this);
-  RoundTripFilter v(presets_apart, *this);
+  SolverFilter v(presets_apart, *this);
   v.integer({.name = "dim", .help = "2: a plane, 3: space", .min = 2, .max = 3, .effect = Effect::restart}, dim);
   v.choice({.name = "solver", .help = "What a step consists of", .effect = Effect::restart}, solver, methods);
   v.choice({.name = "preset", .help = "Whose algorithm runs", .effect = Effect::restart}, preset, presets);
@@ -187,6 +205,8 @@ void Settings::describe(ParameterVisitor& all) {
   v.group("walls", [&] { walls.describe(v); });
   v.group("fluid", [&] { fluid.describe(v); });
   v.group("pressure", [&] { pressure.describe(v); });
+  v.group("material", [&] { material.describe(v); });
+  v.group("mpm", [&] { mpm.describe(v); });
   v.group("ledger", [&] { ledger.describe(v); });
 }
 
@@ -215,7 +235,7 @@ Settings::Conflict Settings::conflict() const {
   if (precision == Precision::single && pressure.tolerance < 1e-7)
     return {"pressure.tolerance", "a pressure.tolerance of " + to_toml(pressure.tolerance) +
                                       " cannot be reached in single precision; set precision = \"double\""};
-  if (Conflict c = round_trip_conflict(*this); !c.path.empty()) return c;
+  if (Conflict c = solver_conflict(*this); !c.path.empty()) return c;
   return preset_conflict(*this);
 }
 

@@ -4,6 +4,7 @@
 
 #include "sim/core/lattice.h"
 #include "sim/frame/parameters.h"
+#include "sim/materials/material_settings.h"
 #include "sim/transfer/settings.h"
 
 #include <array>
@@ -12,7 +13,7 @@
 namespace flipbook {
 
 enum class Precision { single, double_ };
-enum class Wall { free_slip, no_slip, periodic };
+enum class Wall { free_slip, no_slip, periodic, separating };
 enum class Surface {
   ghost,
   voxel,
@@ -24,7 +25,9 @@ enum class Lockstep { shared, own };
 enum class Splitting { lie, midpoint, reflection };
 enum class Advection { rk1, rk2, rk3 };
 enum class Pattern { regular, jittered };
-enum class Solver { fluid, transfer }; ///< the whole step, or nothing but P2G and G2P over and over
+/// An incompressible liquid; nothing but P2G and G2P over and over; solids by the material point method.
+enum class Solver { fluid, transfer, mpm };
+enum class Forces { gradient, mls }; ///< what the stress of a particle acts through: grad w_ip, or w_ip D_p^-1 r
 enum class LedgerRows { frame, step };
 enum class Preset { none, tutorial }; ///< whose algorithm runs: ours, or step for step that of the fluid notes
 
@@ -55,6 +58,7 @@ struct TimeSettings {
 
 struct WallSettings {
   std::array<Wall, 3> axis{Wall::free_slip, Wall::free_slip, Wall::free_slip}; ///< walls.x walls.y walls.z, both sides
+  double friction = 0; ///< Coulomb's coefficient on separating walls
   void describe(ParameterVisitor& v);
 };
 
@@ -72,6 +76,11 @@ struct PressureSettings {
   PressureSolver solver = PressureSolver::multigrid;
   double tolerance = 1e-6; ///< relative residual norm
   int max_iterations = 2000;
+  void describe(ParameterVisitor& v);
+};
+
+struct MpmSettings {
+  Forces forces = Forces::gradient;
   void describe(ParameterVisitor& v);
 };
 
@@ -94,6 +103,8 @@ struct Settings {
   WallSettings walls;
   FluidSettings fluid;
   PressureSettings pressure;
+  MaterialSettings material; ///< of bodies that have none of their own
+  MpmSettings mpm;
   LedgerSettings ledger;
   void describe(ParameterVisitor& v);
 

@@ -3,6 +3,7 @@
 //   P2G  (m u)_i = sum_p w_ip m_p (v_p + A_p (x_i - x_p))
 //   G2P  v_p <- sum_i w_ip u_i + flip_ratio (v_p - sum_i w_ip u_old_i),   A_p <- affine * (what the mode gathers from
 //   u)
+//   x_p <- x_p + dt (sum_i w_ip u_i + beta (v_p - sum_i w_ip u_i))   with the new v_p; solids only
 // so a run can slide from one scheme to another by moving numbers. A scheme written as plain scalar code is outside of
 // the family: it brings its own painting and gathering (scalar.h).
 #pragma once
@@ -22,6 +23,9 @@ struct Corner {
   double affine = 1;     ///< in [0, 1]: scales what the mode gathers
   bool skew = false;     ///< full mode: keep the antisymmetric part of C only
   int order = 1;         ///< XPIC's m: terms of the filter that stands for v_p in FLIP's update; 1: none
+  /// Share of what v_p holds beyond the grid's velocity that a particle of a solid also moves with (ASFLIP): where the
+  /// material holds together, and where it separates.
+  double beta_min = 0, beta_max = 0;
   /// Where there is one, it transfers, and of the above only the mode counts: what its particles remember.
   std::shared_ptr<const ScalarPart> scalar{};
 

@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "sim/transfer/transfer.h"
 
+#include "sim/transfer/clear.h"
 #include "sim/transfer/lanes.h"
 #include "sim/transfer/painted.h"
 #include "sim/transfer/scalar_sweep.h"
 #include "sim/transfer/sweep.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace flipbook {
 namespace {
 
 constexpr std::int64_t samples_per_chunk = 1 << 15;
-
-template <int Dim, class Real> void clear(Components<Dim, Real>& field, Pool& pool) {
-  for (auto& f : field)
-    pool.ranges(static_cast<std::int64_t>(f.size()), samples_per_chunk,
-                [&](std::int64_t begin, std::int64_t end) { std::fill(f.begin() + begin, f.begin() + end, Real(0)); });
-}
 
 /// (m u)_i += w_ip m_p (v_p + A_p r) for the particles of a block, on its tile.
 template <class Mode, class K, int Dim, class Real> struct Scatter {

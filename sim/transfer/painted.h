@@ -6,6 +6,9 @@
 //   none        m w_row (w_x v, w_x)
 //   affine      m w_row (w_x (v + s_x r_x), w_x) + m w_row b (w_x, 0)                  b: what the other axes paint
 //   polynomial  m w_row (w_x v, w_x) + m w_row b (w_x, 0) + m w_row c (w_x r_x, 0)
+//   stress      s_x w_row (g_x, w_x) + b (w_x, 0)        b = sum over the other axes of s_d g_d and the weights of the
+//   rest
+// (of a stress the second of each pair means nothing).
 // Shared rows and numbers are computed for all particles of the pack at once; the rows are turned so that those of one
 // particle lie side by side, and each particle in its turn adds its samples to the tile, a row at a time.
 #pragma once
@@ -13,6 +16,8 @@
 #include "sim/core/shuffles.h"
 #include "sim/transfer/modes.h"
 #include "sim/transfer/tile.h"
+
+#include <algorithm>
 
 namespace flipbook {
 
@@ -39,6 +44,20 @@ template <int Axes, class T> struct PaintsProducts { ///< sum over sets s of axe
   [[nodiscard]] T number(std::size_t term) const { return c[term - 1]; } ///< of the x axis alone: 1, r_x
 };
 
+/// Paints sum_d s_ad g_d on component a, where g_d is the product of the weights with a second weight in place of N on
+/// axis d: dN/dx_d, so that forces of a stress come out, or D^-1 N r, which is their form in MLS-MPM.
+template <int Dim, class T, class SecondWeights> struct StressMode {
+  using Second = SecondWeights;
+  std::array<T, Dim*(Dim + 1) / 2> state; ///< the upper triangle of s, row by row
+
+  [[nodiscard]] T entry(int a, int d) const {
+    const int row = std::min(a, d), column = std::max(a, d);
+    return state[static_cast<std::size_t>(row * Dim - row * (row + 1) / 2 + column)];
+  }
+};
+template <class Mode> inline constexpr bool is_stress = false;
+template <int Dim, class T, class Second> inline constexpr bool is_stress<StressMode<Dim, T, Second>> = true;
+
 template <class Mode, class K, int Dim, class Real> class Painted {
   using TileOf = Tile<K, Dim, Real>;
 
@@ -51,6 +70,7 @@ public:
              const T& v, const Mode& mode, const TileOf& tile) {
     const Reached x(stencil.axis(a, 0), cell);
     const T dx(walk.dx);
+    place(stencil, a, cell, tile);
     if constexpr (Mode::mode == AffineMode::none) {
       share(x, v, T(0));
       each_row<Dim - 1>(stencil, a, mass, PaintsNothing{}, 0);
@@ -69,12 +89,21 @@ public:
       share(x, v, all.slope[0]);
       each_row<Dim - 1>(stencil, a, mass, all, 0);
     }
-    const auto along = [&](int axis, const T& at) {
-      return (at - T(static_cast<Real>(tile.origin(axis)))) * T(static_cast<Real>(TileOf::stride(axis)));
-    };
-    T place = along(0, cell);
-    for (int d = 1; d < Dim; ++d) place += along(d, stencil.axis(a, d).base);
-    place.store_aligned(place_.data());
+  }
+
+  /// The same of a stress.
+  void paint(const Stencil<K, Dim, T, typename Mode::Second>& stencil, int a, const T& cell, const Mode& mode,
+             const TileOf& tile) requires is_stress<Mode> {
+    const Reached x(stencil.axis(a, 0), cell);
+    place(stencil, a, cell, tile);
+    std::array<T, width> pairs;
+    pairs.fill(T(0));
+    for (std::size_t i = 0; i < x.w.size(); ++i) {
+      pairs[2 * i] = x.among(stencil.axis(a, 0).g, i);
+      pairs[2 * i + 1] = x.w[i];
+    }
+    store(pairs, 0);
+    each_row_of_stress<Dim - 1>(stencil, a, mode, T(1), T(0), 0);
   }
 
   /// The samples of the particle in lane `l`, to the sums of the component.
@@ -107,19 +136,26 @@ private:
   /// The x axis for all samples that particles of the cell reach: the weight of the first or of the last is 0.
   struct Reached {
     std::array<T, TileOf::reached> w;
-    T f; ///< from the first of them
+    T later; ///< by so many, 0 or 1, the particle's own samples begin after the first of them
+    T f;     ///< from the first of them
 
-    Reached(const auto& axis, const T& cell) {
-      const T later = axis.base - (cell - T(TileOf::before)); // 0 or 1
-      for (std::size_t i = 0; i < w.size(); ++i)
-        w[i] = choose(later > T(0.5), i > 0 ? axis.w[i - 1] : T(0), i + 1 < w.size() ? axis.w[i] : T(0));
-      f = axis.f + later;
+    Reached(const auto& axis, const T& cell) : later(axis.base - (cell - T(TileOf::before))), f(axis.f + later) {
+      for (std::size_t i = 0; i < w.size(); ++i) w[i] = among(axis.w, i);
+    }
+    /// Of the particle's own weights the one at sample i, or 0.
+    [[nodiscard]] T among(const auto& weights, std::size_t i) const {
+      return choose(later > T(0.5), i > 0 ? weights[i - 1] : T(0), i + 1 < w.size() ? weights[i] : T(0));
     }
   };
 
-  static constexpr std::size_t terms = Mode::mode == AffineMode::none         ? PaintsNothing::terms
-                                       : Mode::mode == AffineMode::polynomial ? PaintsProducts<Dim, T>::terms
-                                                                              : PaintsSlopes<Dim, T>::terms;
+  static constexpr std::size_t terms = [] {
+    if constexpr (is_stress<Mode>)
+      return std::size_t{2};
+    else
+      return Mode::mode == AffineMode::none         ? PaintsNothing::terms
+             : Mode::mode == AffineMode::polynomial ? PaintsProducts<Dim, T>::terms
+                                                    : PaintsSlopes<Dim, T>::terms;
+  }();
   static constexpr std::size_t stored = terms > 2 ? 2 : 1; ///< shared rows that need a place
   static constexpr std::size_t rows = power(K::support, Dim - 1);
   static constexpr std::size_t width = TileOf::slot; ///< numbers in a row of samples
@@ -135,6 +171,22 @@ private:
     return at;
   }
 
+  /// Where in the tile the samples of each particle begin.
+  void place(const auto& stencil, int a, const T& cell, const TileOf& tile) {
+    const auto along = [&](int axis, const T& at) {
+      return (at - T(static_cast<Real>(tile.origin(axis)))) * T(static_cast<Real>(TileOf::stride(axis)));
+    };
+    T place = along(0, cell);
+    for (int d = 1; d < Dim; ++d) place += along(d, stencil.axis(a, d).base);
+    place.store_aligned(place_.data());
+  }
+
+  /// Shared row `t` of each particle of the pack.
+  void store(std::array<T, width>& row, std::size_t t) {
+    transpose(row);
+    for (std::size_t k = 0; k < width; ++k) row[k].store_aligned(shared_[t].data() + k * lanes);
+  }
+
   /// The shared rows (w_x (v + slope r_x), w_x) and (w_x r_x, 0); (w_x, 0) is found in the first of them.
   void share(const Reached& x, const T& v, const T& slope) {
     std::array<std::array<T, width>, stored> all;
@@ -145,10 +197,7 @@ private:
       all[0][2 * i + 1] = x.w[i];
       if constexpr (stored > 1) all[1][2 * i] = x.w[i] * r;
     }
-    for (std::size_t t = 0; t < stored; ++t) {
-      transpose(all[t]);
-      for (std::size_t k = 0; k < width; ++k) all[t][k].store_aligned(shared_[t].data() + k * lanes);
-    }
+    for (std::size_t t = 0; t < stored; ++t) store(all[t], t);
   }
 
   /// The numbers of every row, from the samples of axis D down.
@@ -166,6 +215,23 @@ private:
       for (std::size_t i = 0; i < K::support; ++i)
         each_row<D - 1>(stencil, a, weight * s.w[i], rest.template at<D>(T(static_cast<Real>(i)) - s.f),
                         row + i * power(K::support, D - 1));
+    }
+  }
+
+  /// `weight`: product of the weights above axis D; `sum`: of s_d g_d and the other weights of the axes above it.
+  template <int D>
+  void each_row_of_stress(const Stencil<K, Dim, T, typename Mode::Second>& stencil, int a, const Mode& s,
+                          const T& weight, const T& sum, std::size_t row) {
+    if constexpr (D == 0) {
+      const T along_x = s.entry(a, 0) * weight;
+      along_x.store_aligned(number_[0].data() + row * lanes);
+      sum.store_aligned(number_[1].data() + row * lanes);
+    } else {
+      const auto& axis = stencil.axis(a, D);
+      for (std::size_t i = 0; i < K::support; ++i)
+        each_row_of_stress<D - 1>(stencil, a, s, weight * axis.w[i],
+                                  multiply_add(sum, axis.w[i], weight * s.entry(a, D) * axis.g[i]),
+                                  row + i * power(K::support, D - 1));
     }
   }
 

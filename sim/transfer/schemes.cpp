@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/transfer/schemes.h"
 
-#include "sim/frame/forwarding_visitor.h"
+#include "sim/frame/described_list.h"
 #include "sim/frame/text.h"
 
 #include <algorithm>
@@ -13,41 +13,11 @@
 namespace flipbook {
 namespace {
 
-constexpr int scheme_count = static_cast<int>(std::tuple_size_v<Schemes>);
-
-/// body(scheme) for the scheme at `index` of the list.
-template <class Tuple, class Body> void with_scheme(Tuple& schemes, int index, Body&& body) {
-  int i = 0;
-  std::apply([&](auto&... s) { (void)((i++ == index && (body(s), true)) || ...); }, schemes);
-}
-
 template <class S> [[nodiscard]] constexpr bool titled() {
   static_assert(Scheme<S>);
   if constexpr (requires { S::parameter_in_title; }) return S::parameter_in_title;
   return false;
 }
-
-[[nodiscard]] std::vector<Parameter> parameters_of_scheme(Schemes& schemes, int index) {
-  std::vector<Parameter> found;
-  with_scheme(schemes, index, [&](auto& s) { found = parameters_of(s); });
-  return found;
-}
-
-/// Hands one path of a component on to another visitor.
-class One final : public ForwardingVisitor {
-public:
-  One(ParameterVisitor& to, std::string_view path, bool applies)
-      : ForwardingVisitor(to), path_(path), applies_(applies) {}
-
-private:
-  bool change(const std::string& path, Spec& spec) override {
-    spec.applies = spec.applies && applies_;
-    return path == path_;
-  }
-
-  std::string_view path_;
-  bool applies_;
-};
 
 [[nodiscard]] std::span<const Option> scheme_options() {
   static const auto options = std::apply(
@@ -89,37 +59,24 @@ void TransferSettings::describe(ParameterVisitor& v) {
            scheme_options());
   v.choice({.name = "kernel", .help = "The interpolation kernel of every transfer", .level = Level::teach}, kernel,
            kernel_options());
-  const auto has = [&](int index, const std::string& path) {
-    const auto all = parameters_of_scheme(schemes->list, index);
-    return std::any_of(all.begin(), all.end(), [&](const Parameter& p) { return p.path == path; });
-  };
-  const int in_use = scheme;
-  std::vector<std::string> described;
-  for (int i = 0; i < scheme_count; ++i)
-    for (const Parameter& p : parameters_of_scheme(schemes->list, i)) {
-      if (std::find(described.begin(), described.end(), p.path) != described.end()) continue;
-      described.push_back(p.path);
-      const bool applies = has(in_use, p.path);
-      One one(v, p.path, applies);
-      with_scheme(schemes->list, applies ? in_use : i, [&](auto& s) { s.describe(one); });
-    }
+  describe_list(v, schemes->list, scheme);
 }
 
 Corner TransferSettings::corner() const {
   Corner c;
-  with_scheme(schemes->list, scheme, [&](const auto& s) { c = corner_of(s); });
+  with_item(schemes->list, scheme, [&](const auto& s) { c = corner_of(s); });
   return c;
 }
 
 std::string TransferSettings::name() const {
   std::string n;
-  with_scheme(schemes->list, scheme, [&](const auto& s) { n = s.name; });
+  with_item(schemes->list, scheme, [&](const auto& s) { n = s.name; });
   return n;
 }
 
 std::string TransferSettings::title() const {
   std::string text;
-  with_scheme(schemes->list, scheme, [&]<class S>(const S& in_use) {
+  with_item(schemes->list, scheme, [&]<class S>(const S& in_use) {
     text = S::label;
     S now = in_use, fresh;
     const auto set = parameters_of(now), usual = parameters_of(fresh);

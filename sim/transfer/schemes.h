@@ -6,6 +6,7 @@
 
 #include "sim/transfer/aflip.h"
 #include "sim/transfer/apic.h"
+#include "sim/transfer/asflip.h"
 #include "sim/transfer/corner.h"
 #include "sim/transfer/flip.h"
 #include "sim/transfer/pic.h"
@@ -40,7 +41,7 @@ template <Scheme S> [[nodiscard]] Corner corner_of(const S& scheme) {
     return scheme.corner();
 }
 
-using Schemes = std::tuple<Pic, Flip, Rpic, Apic, Aflip, Polypic, Xpic>; ///< the list
+using Schemes = std::tuple<Pic, Flip, Rpic, Apic, Aflip, Asflip, Polypic, Xpic>; ///< the list
 
 /// Where S stands in the list.
 template <class S>

@@ -10,6 +10,7 @@
 #include "sim/core/field.h"
 #include "sim/core/order.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -37,7 +38,12 @@ public:
   [[nodiscard]] Real* data(std::size_t component) { return sums_[component].data(); }
 
   /// m += m, mu += m u, on the samples that the grid has.
-  void add_to(const Grid<Dim>& grid, Components<Dim, Real>& m, Components<Dim, Real>& mu) const {
+  void add_to(const Grid<Dim>& grid, Components<Dim, Real>& m, Components<Dim, Real>& mu) const { add(grid, &m, mu); }
+  /// The first of each pair alone: sums += m u.
+  void add_first_to(const Grid<Dim>& grid, Components<Dim, Real>& sums) const { add(grid, nullptr, sums); }
+
+private:
+  void add(const Grid<Dim>& grid, Components<Dim, Real>* m, Components<Dim, Real>& mu) const {
     Index<Dim> begin = first_.array() - before;
     const Index<Dim> end = (begin.array() + edge).min(grid.extent().array());
     begin = begin.cwiseMax(0);
@@ -46,8 +52,8 @@ public:
       for (int d = 1; d < Dim; ++d) row += stride(d) * static_cast<std::size_t>(i[d] - origin(d));
       const auto to = static_cast<std::size_t>(grid.at(i));
       for (std::size_t a = 0; a < Dim; ++a)
-        add_row(sums_[a].data() + row, begin[0] - (first_[0] - before), end[0] - begin[0], m[a].data() + to,
-                mu[a].data() + to);
+        add_row(sums_[a].data() + row, begin[0] - (first_[0] - before), end[0] - begin[0],
+                m ? (*m)[a].data() + to : nullptr, mu[a].data() + to);
       ++i[1];
       if constexpr (Dim == 3) {
         if (i[1] == end[1]) i[1] = begin[1], ++i[2];
@@ -55,17 +61,16 @@ public:
     }
   }
 
-private:
   /// `skip`: samples at the beginning that the grid does not have.
   static void add_row(const Real* slots, int skip, int length, Real* m, Real* mu) {
     constexpr std::size_t samples = block_edge + reached - 1;
     std::array<Real, 2 * samples> sum{};
     for (std::size_t c = 0; c < block_edge; ++c)
       for (std::size_t k = 0; k < 2 * reached; ++k) sum[2 * c + k] += slots[slot * c + k];
-    for (int i = 0; i < length && i + skip < static_cast<int>(samples); ++i) {
-      mu[i] += sum[2 * static_cast<std::size_t>(i + skip)];
-      m[i] += sum[2 * static_cast<std::size_t>(i + skip) + 1];
-    }
+    const int many = std::min(length, static_cast<int>(samples) - skip);
+    for (int i = 0; i < many; ++i) mu[i] += sum[2 * static_cast<std::size_t>(i + skip)];
+    if (!m) return;
+    for (int i = 0; i < many; ++i) m[i] += sum[2 * static_cast<std::size_t>(i + skip) + 1];
   }
 
   Index<Dim> first_;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sim/transfer_only/round_trips.h"
 
-#include "sim/frame/errors.h"
+#include "sim/core/check_finite.h"
 #include "sim/transfer/transfer.h"
 #include "sim/transfer_only/start.h"
 
-#include <cmath>
 #include <utility>
 
 namespace flipbook {
@@ -13,7 +12,8 @@ namespace flipbook {
 template <int Dim, class Real>
 RoundTrips<Dim, Real>::RoundTrips(const Scene& scene, Pool& pool)
     : pool_(pool), state_(start_of_trips<Dim, Real>(scene, pool)), ledger_(state_, pool) {
-  check_finite();
+  check_finite(
+      state_.particles, [&] { return title(); }, state_.steps, state_.time, pool_);
 }
 
 template <int Dim, class Real> std::vector<Parameter> RoundTrips<Dim, Real>::parameters() const {
@@ -44,7 +44,8 @@ template <int Dim, class Real> void RoundTrips<Dim, Real>::step(double dt) {
   s.time += dt;
   ++s.steps;
   ledger_.after_g2p(s, pool_);
-  check_finite();
+  check_finite(
+      state_.particles, [&] { return title(); }, state_.steps, state_.time, pool_);
 }
 
 template <int Dim, class Real> void RoundTrips<Dim, Real>::grid_to_particles() {
@@ -52,16 +53,6 @@ template <int Dim, class Real> void RoundTrips<Dim, Real>::grid_to_particles() {
   const auto fold = [&](Components<Dim, Real>& sums) { s.walls.fold(sums); };
   xpic_.gather(s.settings.transfer.corner(), s.kernel(), s.layout(), s.grid, s.u, s.u, s.order, fold, s.particles,
                pool_);
-}
-
-template <int Dim, class Real> void RoundTrips<Dim, Real>::check_finite() const {
-  const auto& p = state_.particles;
-  for (std::size_t q = 0; q < p.size(); ++q) {
-    Real zero = 0; // stays zero unless something is not finite
-    for (std::size_t d = 0; d < Dim; ++d) zero += 0 * p.v[d][q];
-    for (const auto& column : p.A) zero += 0 * column[q];
-    if (zero != 0) throw NonFiniteError(title(), state_.steps, state_.time, p.id[q]);
-  }
 }
 
 template class RoundTrips<2, float>;

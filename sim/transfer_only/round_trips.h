@@ -46,7 +46,6 @@ public:
 
 private:
   void grid_to_particles();
-  void check_finite() const;
 
   Pool& pool_;
   TripState<Dim, Real> state_;

@@ -18,6 +18,7 @@ bench W3-64-1e-4 W3-64 --set pressure.tolerance=1e-4
 bench W3-128 W3-128
 bench W3-128-1e-4 W3-128 --set pressure.tolerance=1e-4
 bench double W2,W3-64 --precisions double
+bench M3 M3 --scaling
 bench pressure P-64,P-128,P-256
 bench transfers transfers
 bench pictures C4,D3

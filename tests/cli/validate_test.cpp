@@ -19,7 +19,8 @@ TEST(Validate, ListsItsCases) {
   const Outcome o = run({"validate", "--list"}, f.path());
   EXPECT_EQ(o.code, 0);
   for (const char* name : {"taylor_green", "gresho", "elliptical_drop", "hydrostatic", "standing_wave", "dam_break",
-                           "still_pool", "lamb_oseen", "leapfrog", "taylor_vortices"})
+                           "still_pool", "lamb_oseen", "leapfrog", "taylor_vortices", "rotating_disc", "two_discs",
+                           "axial_bar", "cantilever", "sand_column"})
     EXPECT_THAT(o.out, HasSubstr(name));
 }
 

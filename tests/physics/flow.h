@@ -11,9 +11,9 @@
 
 namespace flipbook::test {
 
-inline const char* const scheme_names[] = {"pic", "flip", "rpic", "apic", "aflip", "polypic", "xpic"};
+inline const char* const scheme_names[] = {"pic", "flip", "rpic", "apic", "aflip", "asflip", "polypic", "xpic"};
 inline const char* const splitting_names[] = {"lie", "midpoint", "reflection"}; // by Splitting
-enum SchemeIndex { pic, flip, rpic, apic, aflip, polypic, xpic };
+enum SchemeIndex { pic, flip, rpic, apic, aflip, asflip, polypic, xpic };
 
 /// The domain [0, cells dx] with free-slip walls, double precision and a tight pressure solve.
 inline Settings box(std::array<int, 3> cells, double dx, int dim = 2) {

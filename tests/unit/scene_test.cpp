@@ -72,9 +72,10 @@ TEST(Scene, SaysWhereAMistakeIs) {
       {"fluid.density = \"1 kg\"\n",
        "s.toml:1:7: fluid.density must be a number from 1e-06 to 1000000 (kg/m^3), not \"1 kg\""},
       {"walls.x = \"slipp\"\n",
-       "s.toml:1:7: walls.x must be one of \"free_slip\", \"no_slip\", \"periodic\", not \"slipp\""},
-      {"walls.x = \"noslip\"\n", "s.toml:1:7: walls.x must be one of \"free_slip\", \"no_slip\", \"periodic\", not "
-                                 "\"noslip\"; did you mean \"no_slip\"?"},
+       "s.toml:1:7: walls.x must be one of \"free_slip\", \"no_slip\", \"periodic\", \"separating\", not "
+       "\"slipp\""},
+      {"walls.x = \"noslip\"\n", "s.toml:1:7: walls.x must be one of \"free_slip\", \"no_slip\", \"periodic\", "
+                                 "\"separating\", not \"noslip\"; did you mean \"no_slip\"?"},
       {"duration = -2\n", "s.toml:1:1: \"duration\" must be a number from 1e-06 to 1000000, not -2"},
       {"duration = 1979-05-27\n", "s.toml:1:1: dates and times have no use here"},
       {"grid.cells = [64, 32]\n",
@@ -204,7 +205,7 @@ TEST(Scene, ShipsReady) {
     const std::vector<Assignment> space{{"dim", 3.0, {}}, {"grid.cells", cells, {}}};
     const Scene s = read_scene(name, space);
     Grid<3> cube{{s.settings.grid.cells[0], s.settings.grid.cells[1], s.settings.grid.cells[2]}, s.settings.dx()};
-    EXPECT_GT((seed_particles<3, float>(s, cube).size()), 1000U) << name;
+    EXPECT_GT((seed_particles<3, float>(s, cube).size()), 100U) << name; // a ball in few cells
   }
 }
 

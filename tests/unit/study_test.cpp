@@ -118,7 +118,7 @@ TEST(Study, SaysWhereAMistakeIs) {
       {"[output]\nfps = 0\n", "s.toml:3:1: output.fps must be a number from 1 to 240 (1/s), not 0"},
       {"[[variant]]\ntransfer.scheme = \"flp\"\n",
        "s.toml:3:10: transfer.scheme must be one of \"pic\", \"flip\", "
-       "\"rpic\", \"apic\", \"aflip\", \"polypic\", \"xpic\", not \"flp\"; did you "
+       "\"rpic\", \"apic\", \"aflip\", \"asflip\", \"polypic\", \"xpic\", not \"flp\"; did you "
        "mean \"flip\"?"},
       {"[[variant]]\ntransfer.flip_ratio = 2\n",
        "s.toml:3:10: transfer.flip_ratio must be a number from 0 to 1, not 2"},
@@ -175,7 +175,7 @@ TEST(Study, PlotNamesAreTheColumnsOfTheLedger) {
   request.noise = true;
   std::vector<std::string> found;
   for (const char* run : {"dim = 2", "dim = 3\ntime.splitting = \"midpoint\"\nfluid.spacing = 0.5",
-                          "solver = \"transfer\"\ntime.dt = 1"}) {
+                          "solver = \"transfer\"\ntime.dt = 1", "solver = \"mpm\"\nfluid.gravity = [0, 0, 0]"}) {
     const Scene s = parse_scene(run + std::string("\ngrid.cells = [4, 4, 4]\n[[body]]\nshape = \"box\"\nlo = [0, 0]\n"
                                                   "hi = [1, 0.5]\nvelocity = [\"y\", 0]\n"),
                                 "s.toml");

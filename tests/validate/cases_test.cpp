@@ -38,7 +38,7 @@ class ValidationCases : public testing::TestWithParam<std::string> {};
 TEST_P(ValidationCases, FastVersionKeepsItsGates) {
   // Where a run takes seconds, two of the schemes; the cases themselves compare more.
   std::vector<std::string> schemes;
-  for (const char* slow : {"standing_wave", "leapfrog", "taylor_vortices"})
+  for (const char* slow : {"standing_wave", "leapfrog", "taylor_vortices", "two_discs"})
     if (GetParam() == slow) schemes = {"flip:1", "apic"};
   const ValidationReport report = run_fast(case_named(GetParam()), schemes, 2);
   std::size_t gates = 0;
