@@ -20,6 +20,7 @@ std::unique_ptr<ValidationCase> rotating_disc_case();
 std::unique_ptr<ValidationCase> two_discs_case();
 std::unique_ptr<ValidationCase> axial_bar_case();
 std::unique_ptr<ValidationCase> cantilever_case();
+std::unique_ptr<ValidationCase> generalized_vortex_case();
 std::unique_ptr<ValidationCase> sand_column_case();
 
 } // namespace flipbook::app

@@ -14,6 +14,7 @@ constexpr float table_gap = 12, least_pane = 110; // a pane beside or above a ta
 constexpr float fair_pane = 200;                  // below it plots give way to tables
 constexpr float least_plots = 0.75F;              // to this share of their height
 constexpr float least_share = 0.4F;               // of the magnification that panes would have without tables
+constexpr float full_rows = 1.15F;                // panes may be as much smaller where no row has a hole
 
 struct Grid {
   std::size_t columns = 1, rows = 1;
@@ -103,9 +104,11 @@ private:
   [[nodiscard]] float above_frame() const { return pt(title_height); }
   [[nodiscard]] float below_frame() const { return r_.captions ? pt(caption_height) : 0; }
 
-  /// The grid with the largest panes, each with a table of this size beside it, below it, or without one.
+  /// The grid with the largest panes, without a hole in its last row if that costs little; each with a table of this
+  /// size beside it, below it, or without one.
   [[nodiscard]] Grid best_grid(const Rect& area, const TableSize& table, bool beside) const {
     Grid best;
+    float best_rank = 0;
     const float taken_w = beside ? table.width + pt(table_gap) : 0;
     const float taken_h = beside || table.height == 0 ? 0 : table.height + pt(table_gap);
     for (std::size_t columns = 1; columns <= r_.panes; ++columns) {
@@ -117,7 +120,10 @@ private:
       const float padding = pt(std::min(w, h) < pt(small_pane) ? small_padding : pane_padding);
       const float m = std::min((w - 2 * padding) / static_cast<float>(r_.domain_width),
                                (h - 2 * padding) / static_cast<float>(r_.domain_height));
-      if (m > best.magnification * 1.0001F) best = {columns, rows, m, padding, -1, beside, m};
+      const float rank = columns * rows == r_.panes ? full_rows * m : m;
+      if (rank <= best_rank * 1.0001F) continue;
+      best_rank = rank;
+      best = {columns, rows, m, padding, -1, beside, m};
     }
     return best;
   }

@@ -73,7 +73,7 @@ Page::Page(const Frame& frame, const ViewSettings& view, const gui::Fonts& fonts
   r.panel = view.show_panel;
   r.plots = plots_.size();
   r.plot_height = view.plot_height;
-  r.colour_label = std::ceil(fonts.width(Type::body, colour_bar_label(scale_))) + 1;
+  if (!scale_.quantity->names) r.colour_label = std::ceil(fonts.width(Type::body, colour_bar_label(scale_))) + 1;
   r.time = std::ceil(fonts.width(Type::title, time_text(std::max(frame.time, frame.duration)))) + 2;
   if (frame.panes.size() > 1 && !plots_.empty())
     for (const Pane& p : frame.panes)
@@ -214,7 +214,7 @@ void Page::draw_over(gui::Ink& ink) const {
 void Page::draw_header(gui::Ink& ink) const {
   ink.text(layout_.title, Type::title, palette_.text, frame_.title);
   ink.text(layout_.time, Type::title, palette_.text, time_text(frame_.time), Align::right);
-  draw_colour_bar(ink, layout_.colour_label, layout_.colour_bar, scale_, palette_);
+  if (layout_.colour_bar.w > 0) draw_colour_bar(ink, layout_.colour_label, layout_.colour_bar, scale_, palette_);
 }
 
 /// The longest form that fits below every pane.

@@ -25,8 +25,8 @@ std::span<const ColourQuantity> colour_quantities() {
       {"J", "volume J", "volume det F over that at the start (solver = \"mpm\")", "", sequential},
       {"von_mises", "von Mises stress", "stress that changes the shape (solver = \"mpm\")", "Pa", sequential},
       {"plastic", "plastic flow", "what plastic flow has left behind (solver = \"mpm\")", "", sequential},
-      {"material", "material", "which of the scene's materials (solver = \"mpm\")", "", sequential},
-      {"spokes", "spokes", "marks that turn with the material (solver = \"mpm\")", "", sequential},
+      {"material", "material", "which of the scene's materials (solver = \"mpm\")", "", sequential, true},
+      {"spokes", "spokes", "marks that turn with the material (solver = \"mpm\")", "", sequential, true},
       {"residual", "residual |v − v₀|", "what has changed of the particle's velocity (solver = \"transfer\")", "m/s",
        sequential},
   }};

@@ -13,6 +13,7 @@ struct ColourQuantity {
   std::string_view label, help;
   std::string_view unit;
   MapKind kind;
+  bool names = false; ///< values tell parts apart and measure nothing: no colour bar
 };
 
 [[nodiscard]] std::span<const ColourQuantity> colour_quantities();

@@ -146,14 +146,34 @@ template <int Dim, class Real> void MpmSolver<Dim, Real>::add_gravity(double dt)
         for (std::int64_t i = begin; i < end; ++i) u[i] += du;
       });
     }
-    if (!body_force_) return;
-    each_in(s.grid, all_of(s.grid), pool_, [&](const Index<Dim>& i, std::size_t at) {
-      if (!(s.m[0][at] > 0)) return;
-      const Vec<Dim, double> x = s.grid.dx * (i.array() - Grid<Dim>::pad).template cast<double>().matrix();
-      const Vec<Dim, double> b = body_force_(x, s.time);
-      for (int d = 0; d < Dim; ++d) s.u[static_cast<std::size_t>(d)][at] += static_cast<Real>(dt * b[d]);
-    });
+    if (body_force_) add_body_force(dt);
   });
+}
+
+/// Through the particles, u_i <- u_i + dt sum_p w m b(x_p) / m_i, as the stress that it is to balance: a node beside a
+/// free surface has less of both.
+template <int Dim, class Real> void MpmSolver<Dim, Real>::add_body_force(double dt) {
+  auto& s = state_;
+  auto b = s.particles.v;
+  pool_.ranges(static_cast<std::int64_t>(s.particles.size()), samples_per_chunk,
+               [&](std::int64_t begin, std::int64_t end) {
+                 for (auto p = static_cast<std::size_t>(begin); p < static_cast<std::size_t>(end); ++p) {
+                   const Vec<Dim, double> x = s.particles.position(p).template cast<double>();
+                   const Vec<Dim, double> now = body_force_(x, s.time);
+                   for (std::size_t d = 0; d < Dim; ++d) b[d][p] = static_cast<Real>(now[static_cast<int>(d)]);
+                 }
+               });
+  Components<Dim, Real> m = s.m;
+  const AffineMode mode = std::exchange(s.particles.mode, AffineMode::none);
+  s.particles.v.swap(b);
+  p2g(Corner{}, s.kernel(), Layout::nodes, s.grid, s.particles, s.order, m, f_, pool_);
+  s.particles.v.swap(b);
+  s.particles.mode = mode;
+  s.walls.fold(m);
+  s.walls.fold(f_);
+  to_velocity(m, f_, pool_);
+  for (std::size_t a = 0; a < Dim; ++a)
+    for (std::size_t i = 0; i < s.u[a].size(); ++i) s.u[a][i] += static_cast<Real>(dt) * f_[a][i];
 }
 
 template <int Dim, class Real> void MpmSolver<Dim, Real>::add_stress(double dt) {

@@ -50,8 +50,8 @@ public:
   }
   void profile(Profile* p) override { profile_ = p; }
 
-  /// An acceleration (m/s^2) on top of gravity, at a place (metres from the lower corner of the domain) and a time: for
-  /// manufactured solutions.
+  /// An acceleration (m/s^2) of the particles on top of gravity, at a place (metres from the lower corner of the
+  /// domain) and a time: for manufactured solutions. The ledger books it with gravity.
   using BodyForce = std::function<Vec<Dim, double>(const Vec<Dim, double>& x, double t)>;
   void body_force(BodyForce force) { body_force_ = std::move(force); }
 
@@ -63,6 +63,7 @@ private:
   // === The parts of a step
   void particles_to_grid();
   void add_gravity(double dt);
+  void add_body_force(double dt);
   void add_stress(double dt);
   void meet_solids();
   void grid_to_particles();

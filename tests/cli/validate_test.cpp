@@ -20,7 +20,7 @@ TEST(Validate, ListsItsCases) {
   EXPECT_EQ(o.code, 0);
   for (const char* name : {"taylor_green", "gresho", "elliptical_drop", "hydrostatic", "standing_wave", "dam_break",
                            "still_pool", "lamb_oseen", "leapfrog", "taylor_vortices", "rotating_disc", "two_discs",
-                           "axial_bar", "cantilever", "sand_column"})
+                           "axial_bar", "cantilever", "generalized_vortex", "sand_column"})
     EXPECT_THAT(o.out, HasSubstr(name));
 }
 
