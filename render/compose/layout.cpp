@@ -22,7 +22,7 @@ struct Grid {
   float padding = 0;
   int tables = -1; ///< which form of them; -1: none
   bool beside = false;
-  float score = 0; ///< what is compared: magnification, by the worth of the tables
+  float score = 0; ///< what is compared: magnification, by the worth of the tables and of rows without a hole
 };
 
 class Arranger {
@@ -108,7 +108,6 @@ private:
   /// size beside it, below it, or without one.
   [[nodiscard]] Grid best_grid(const Rect& area, const TableSize& table, bool beside) const {
     Grid best;
-    float best_rank = 0;
     const float taken_w = beside ? table.width + pt(table_gap) : 0;
     const float taken_h = beside || table.height == 0 ? 0 : table.height + pt(table_gap);
     for (std::size_t columns = 1; columns <= r_.panes; ++columns) {
@@ -120,10 +119,8 @@ private:
       const float padding = pt(std::min(w, h) < pt(small_pane) ? small_padding : pane_padding);
       const float m = std::min((w - 2 * padding) / static_cast<float>(r_.domain_width),
                                (h - 2 * padding) / static_cast<float>(r_.domain_height));
-      const float rank = columns * rows == r_.panes ? full_rows * m : m;
-      if (rank <= best_rank * 1.0001F) continue;
-      best_rank = rank;
-      best = {columns, rows, m, padding, -1, beside, m};
+      const float score = columns * rows == r_.panes ? full_rows * m : m;
+      if (score > best.score * 1.0001F) best = {columns, rows, m, padding, -1, beside, score};
     }
     return best;
   }
