@@ -20,7 +20,7 @@ constexpr double least_percent = 0.05; // what "0.1 %" can round from; a single 
 /// The quantities of a table by what they are; npos where there is none.
 struct Places {
   static constexpr std::size_t npos = static_cast<std::size_t>(-1);
-  std::size_t mass = npos, kinetic = npos, potential = npos;
+  std::size_t mass = npos, kinetic = npos, elastic = npos, potential = npos;
   std::vector<std::size_t> momentum, spin;
 };
 
@@ -30,6 +30,7 @@ Places places(const LedgerTable& l) {
     const std::string& name = l.quantities[q].name;
     if (name == "mass") p.mass = q;
     if (name == "kinetic") p.kinetic = q;
+    if (name == "elastic") p.elastic = q;
     if (name == "potential") p.potential = q;
     if (name.starts_with("momentum_")) p.momentum.push_back(q);
     if (name.starts_with("angular_momentum_")) p.spin.push_back(q);
@@ -161,11 +162,13 @@ LedgerColumn kinetic_column(const Reader& r) {
   return c;
 }
 
-LedgerColumn potential_column(const Reader& r) {
-  LedgerColumn c{"potential", "", "", {}};
-  const Numbers n = r.numbers({r.at().potential});
+/// Potential or elastic.
+LedgerColumn energy_column(const Reader& r, std::size_t q) {
+  const LedgerTable::Quantity& energy = r.table().quantities[q];
+  LedgerColumn c{energy.label, "", "", {}};
+  const Numbers n = r.numbers({q});
   const Prefix prefix = si_prefix(n.scale);
-  c.unit = prefix.letter + unit_text(r.table().quantities[r.at().potential].unit);
+  c.unit = prefix.letter + unit_text(energy.unit);
   fill(c, n, prefix.factor, 3);
   return c;
 }
@@ -190,6 +193,7 @@ LedgerColumn vector_column(const Reader& r, const std::vector<std::size_t>& quan
 void add_columns(std::vector<LedgerColumn>& out, const Reader& r, LedgerColumns wanted) {
   const Places& at = r.at();
   if (at.kinetic != Places::npos) out.push_back(kinetic_column(r));
+  if (wanted < LedgerColumns::energy && at.elastic != Places::npos) out.push_back(energy_column(r, at.elastic));
   if (wanted < LedgerColumns::energy && !at.spin.empty()) out.push_back(vector_column(r, at.spin));
   if (wanted < LedgerColumns::no_momentum && !at.momentum.empty()) {
     if (wanted < LedgerColumns::lengths && at.momentum.size() == 2)
@@ -197,7 +201,7 @@ void add_columns(std::vector<LedgerColumn>& out, const Reader& r, LedgerColumns 
     else
       out.push_back(vector_column(r, at.momentum));
   }
-  if (wanted == LedgerColumns::all && at.potential != Places::npos) out.push_back(potential_column(r));
+  if (wanted == LedgerColumns::all && at.potential != Places::npos) out.push_back(energy_column(r, at.potential));
 }
 
 struct Loss {

@@ -143,6 +143,33 @@ TEST(LedgerText, FormsGoFromMuchToLittle) {
   EXPECT_THAT(heads(said(l, LedgerView::total, energy)), ElementsAre("kinetic % of 761 J/m"));
 }
 
+/// A solid: the same with energy that the walls put into its deformation.
+LedgerTable solid_ledger() {
+  const LedgerTable fluid = dam_ledger(2, true);
+  LedgerTable l = fluid;
+  l.quantities.push_back({"elastic", "elastic", "J/m", 0, 0, true});
+  const std::size_t size = l.stages.size() * l.quantities.size();
+  l.step.assign(size, 0);
+  l.total.assign(size, 0);
+  l.claims.assign(size, Claim::none);
+  for (std::size_t s = 0; s < l.stages.size(); ++s)
+    for (std::size_t q = 0; q < fluid.quantities.size(); ++q) l.total[l.at(s, q)] = fluid.total[fluid.at(s, q)];
+  set_change(l, "advection", "elastic", 212.5);
+  close(l);
+  return l;
+}
+
+TEST(LedgerText, SolidsShowTheirElasticEnergy) {
+  const LedgerTable l = solid_ledger();
+  using enum LedgerColumns;
+  EXPECT_THAT(heads(said(l)), ElementsAre("kinetic % of 761 J/m", "elastic J/m", "Lz kg m²/s/m", "px kg m/s/m",
+                                          "py kg m/s/m", "potential kJ/m"));
+  EXPECT_THAT(texts(said(l).columns[1]), ElementsAre("·", "·", "·", "·", "·", "·", "·", "·", "+213", "213"));
+  EXPECT_THAT(heads(said(l, LedgerView::total, no_momentum)),
+              ElementsAre("kinetic % of 761 J/m", "elastic J/m", "Lz kg m²/s/m"));
+  EXPECT_EQ(heads(said(l, LedgerView::total, energy)).size(), 1U);
+}
+
 /// Numbers of any size stay in their column.
 TEST(LedgerText, NumbersFitTheirColumns) {
   const render::gui::Fonts fonts(1);
