@@ -1,0 +1,19 @@
+# What the browser is sent, by name: these files and no others. They are built into the program (app/serve).
+set(page_files
+  index.html
+  page.css
+  controls.css
+  dialogs.css
+  narrow.css
+  icon.svg
+  page.js
+  bar.js
+  chooser.js
+  connection.js
+  field.js
+  keys.js
+  messages.js
+  parameters.js
+  picture.js
+  pointer.js
+)
