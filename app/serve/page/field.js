@@ -65,7 +65,13 @@ function number(p, { id, label, set }) {
 function text(p, { id, set }) {
   const { write, read } = texts[p.kind];
   const box = make("input", { type: "text", id, spellcheck: false });
-  box.addEventListener("change", () => set(read(box.value)));
+  box.addEventListener("change", () => {
+    const value = read(box.value);
+    const wrong = Array.isArray(value) && value.some(Number.isNaN);
+    box.setCustomValidity(wrong ? "Numbers, with commas between them" : "");
+    if (wrong) box.reportValidity();
+    else set(value);
+  });
   return { parts: [box], main: box, write: (v) => (box.value = write(v)) };
 }
 

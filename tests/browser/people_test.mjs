@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// More than one page, a wrong link, and a program that ends and comes back.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { connected, live, small } from "./live.mjs";
+import { Program } from "./program.mjs";
+
+const token = "a-link-that-stays-0123456789";
+const session = live(small, { token });
+
+test("one drives, the others watch until they take over", async () => {
+  const first = await session.open();
+  const second = await session.open();
+  assert.equal(await second.text("role"), "You watch");
+  await first.until("document.getElementById('role').textContent === 'You drive, 1 watches'", "the driver to see the viewer");
+  for (const id of ["start", "step", "reset", "record", "snapshot", "save", "choose"])
+    assert.ok(await second.evaluate(`document.getElementById('${id}').disabled`), `${id} is at rest for a viewer`);
+
+  await second.click("#drive");
+  await second.until("document.getElementById('role').textContent.startsWith('You drive')", "the viewer to drive");
+  await first.until("document.getElementById('role').textContent === 'You watch'", "the driver to watch");
+  assert.match(await first.text("message"), /Somebody else drives/);
+  assert.ok(!(await second.evaluate("document.getElementById('start').disabled")));
+
+  await second.click("#drive"); // hands over
+  await first.until("document.getElementById('role').textContent.startsWith('You drive')", "the first to drive again");
+  await first.close();
+  await second.until("document.getElementById('role').textContent === 'You drive'", "the one who is left to drive");
+  assert.deepEqual(second.errors, []);
+});
+
+test("a wrong link is explained", async () => {
+  const wrong = session.program.url.replace(/token=.*/, "token=not-this-one-0123456789");
+  const tab = await session.visit(wrong);
+  await tab.until("document.getElementById('connection').dataset.state === 'refused'", "the refusal");
+  assert.equal(await tab.text("absent-title"), "This link is not valid");
+  assert.match(await tab.text("absent-text"), /address that flipbook serve printed last/);
+});
+
+test("connects again by itself after the program was restarted, and says so", async () => {
+  const tab = await session.open();
+  const { port, folder } = session.program;
+  assert.equal(await session.program.stop({ keep: true }), 0, "Ctrl-C ends it well");
+  await tab.until("document.getElementById('connection').dataset.state === 'waiting'", "the page to notice");
+  assert.match(await tab.text("connection-text"), /The program has ended\. Trying again in \d+ s/);
+  assert.ok(await tab.evaluate("document.getElementById('start').disabled"), "nothing to drive meanwhile");
+  assert.ok(await tab.evaluate("document.getElementById('stage').hasAttribute('data-stale')"), "an old picture looks old");
+
+  session.program = await Program.start(small, { port, token, folder });
+  await tab.until("document.getElementById('message').textContent === 'Connected again.'", "the page to come back", 30);
+  await connected(tab);
+  assert.equal(await tab.text("role"), "You drive");
+  await tab.until("!document.getElementById('stage').hasAttribute('data-stale')", "a new picture");
+});
