@@ -101,7 +101,7 @@ for (const [width, height, touch] of [[360, 740, true], [390, 844, true], [844, 
     const tab = await session.open({ width, height, touch });
     await pause(tab);
     await tab.evaluate("document.querySelector('[name=tool][value=push]').click()"); // with its radius
-    const wide = await tab.evaluate("document.documentElement.scrollWidth - innerWidth");
+    const wide = await tab.evaluate("document.documentElement.scrollWidth") - width;
     assert.ok(wide <= 0, `${wide} pixels wider than the window`);
     assert.deepEqual(await overlaps(tab), []);
     if (touch) {

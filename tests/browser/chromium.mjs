@@ -45,6 +45,7 @@ export class Browser {
   constructor(program = findBrowser()) {
     this.#process = spawn(program, options(this.#profile), { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] });
     this.ended = new Promise((resolve) => this.#process.on("exit", resolve));
+    process.on("exit", () => this.#process.kill("SIGKILL"));
     this.ended.then(() => this.#answers.forEach(({ reject, method }) => reject(new Error(`The browser ended during ${method}`))));
     this.#process.stdio[4].on("data", (data) => this.#hear(data));
     this.#process.stdio[3].on("error", () => {}); // ended: the answers that are waited for say so

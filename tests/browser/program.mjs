@@ -23,6 +23,7 @@ export class Program {
     program.#process = spawn(flipbook, ["serve", ...what, "--port", String(port), "-o", folder], { env: environment, stdio: ["ignore", "pipe", "pipe"] });
     for (const stream of [program.#process.stdout, program.#process.stderr]) stream.on("data", (data) => (program.#said += data));
     program.ended = new Promise((resolve) => program.#process.on("exit", resolve));
+    process.on("exit", () => program.#process.kill("SIGKILL")); // whatever ends the test
     const printed = new Promise((resolve) => program.#process.stdout.on("data", () => program.#address() && resolve()));
     await Promise.race([printed, program.ended, sleep(30000, undefined, { ref: false })]);
     program.url = program.#address();
