@@ -44,6 +44,7 @@ test("connects again by itself after the program was restarted, and says so", as
   assert.equal(await session.program.stop({ keep: true }), 0, "Ctrl-C ends it well");
   await tab.until("document.getElementById('connection').dataset.state === 'waiting'", "the page to notice");
   assert.match(await tab.text("connection-text"), /The program has ended\. Trying again in \d+ s/);
+  assert.equal(await tab.text("announced"), "The program has ended. This page tries again by itself.", "said aloud as well");
   assert.ok(await tab.evaluate("document.getElementById('start').disabled"), "nothing to drive meanwhile");
   assert.ok(await tab.evaluate("document.getElementById('stage').hasAttribute('data-stale')"), "an old picture looks old");
 

@@ -157,6 +157,7 @@ connection.addEventListener("status", ({ detail }) => {
   $("retry").hidden = detail.state !== "waiting";
   showAbsence(detail);
   if (detail.state === "open") {
+    $("announced").textContent = "";
     picture.restart();
     seq = 0;
     if (detail.again) messages.say("info", "Connected again.");
@@ -165,6 +166,8 @@ connection.addEventListener("status", ({ detail }) => {
   $("bar").hidden = false; // it has something to say
   stage.toggleAttribute("data-stale", true);
   if (detail.state === "refused") stage.toggleAttribute("data-empty", true);
+  // Read aloud once, not with each try.
+  if (role !== null) $("announced").textContent = `${detail.text} This page tries again by itself.`;
   role = null;
   bar.rest();
   parameters.enable(false);
