@@ -17,7 +17,10 @@ const seconds = Number(option("seconds", 15));
 const [width, height] = option("window", "1280x720").split("x").map(Number);
 const cases = own.filter((a) => a !== "--").length
   ? [own.filter((a) => a !== "--")]
-  : [["dam_break", "--schemes", "apic", "--set", "grid.cells=[128,128]"], ["dam_break", "--schemes", "apic", "--dim", "3", "--cells", "44"]];
+  : [
+      ["assets/scenes/dam_break.toml", "--set", "transfer.scheme=apic", "--cells", "128"],
+      ["assets/scenes/dam_break.toml", "--set", "transfer.scheme=apic", "--dim", "3", "--cells", "40"],
+    ];
 
 const quantile = (sorted, q) => sorted[Math.min(sorted.length - 1, Math.floor(q * sorted.length))] ?? NaN;
 
@@ -46,8 +49,13 @@ async function measure(what) {
     picture.addEventListener('seen', (e) => seen.seen.push(e.detail)); })()`);
   await move(tab, Date.now() + 1000 * seconds);
   const { drawn, seen } = await tab.evaluate("measured");
-  const size = await tab.evaluate("[document.getElementById('picture').width, document.getElementById('picture').height].join('x')");
-  const gaps = drawn.slice(1).map((t, i) => t - drawn[i]).sort((a, b) => a - b);
+  const size = await tab.evaluate(
+    "[document.getElementById('picture').width, document.getElementById('picture').height].join('x')",
+  );
+  const gaps = drawn
+    .slice(1)
+    .map((t, i) => t - drawn[i])
+    .sort((a, b) => a - b);
   seen.sort((a, b) => a - b);
   console.log(`flipbook serve ${what.join(" ")}
   picture ${size}, ${drawn.length} pictures in ${((drawn.at(-1) - drawn[0]) / 1000).toFixed(1)} s

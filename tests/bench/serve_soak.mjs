@@ -24,7 +24,8 @@ const watcher = await browser.open(program.url);
 await connected(watcher);
 
 /// One connection from the page's own origin; `act` is what it does once it is open.
-const socket = (act, query = token) => watcher.evaluate(`new Promise((done) => {
+const socket = (act, query = token) =>
+  watcher.evaluate(`new Promise((done) => {
   const ws = new WebSocket('ws://' + location.host + '/ws?${query}');
   ws.onopen = () => { ${act}; };
   ws.onclose = ws.onerror = () => done();
@@ -33,7 +34,8 @@ const socket = (act, query = token) => watcher.evaluate(`new Promise((done) => {
 
 /// What people and others do, in turn.
 const visits = [
-  async () => { // a person who looks and moves the pointer
+  async () => {
+    // a person who looks and moves the pointer
     const tab = await browser.open(program.url, { width: 900, height: 600 });
     await connected(tab);
     const { x, y } = await tab.middle("#picture");
@@ -46,9 +48,10 @@ const visits = [
   () => socket("ws.send('{')"),
   () => socket("ws.send('x'.repeat(100000))"),
   () => socket("ws.send(new Uint8Array(64))"),
-  () => socket("for (let i = 0; i < 2000; ++i) ws.send('{\"type\":\"ack\",\"picture\":' + i + '}')"),
+  () => socket('for (let i = 0; i < 2000; ++i) ws.send(\'{"type":"ack","picture":\' + i + \'}\')'),
   () => watcher.click("#reset"),
-  async () => { // who takes over and gives back
+  async () => {
+    // who takes over and gives back
     const tab = await browser.open(program.url);
     await connected(tab);
     await tab.click("#drive");
@@ -61,8 +64,15 @@ const visits = [
 const count = (what) => readdirSync(`/proc/${program.pid}/${what}`).length;
 const samples = [];
 function sample(start) {
-  samples.push({ seconds: Math.round((Date.now() - start) / 1000), memory: program.memory, files: count("fd"), threads: count("task") });
-  const line = Object.values(samples.at(-1)).map((x) => Math.round(10 * x) / 10).join(",");
+  samples.push({
+    seconds: Math.round((Date.now() - start) / 1000),
+    memory: program.memory,
+    files: count("fd"),
+    threads: count("task"),
+  });
+  const line = Object.values(samples.at(-1))
+    .map((x) => Math.round(10 * x) / 10)
+    .join(",");
   if (csv) appendFileSync(csv, `${line}\n`);
 }
 
@@ -93,5 +103,8 @@ threads ${settled[0].threads} settled, ${samples.at(-1).threads} at the end`);
 await browser.close();
 const code = await program.stop();
 if (code !== 0) console.log(`flipbook serve ended with ${code}`);
-const tooMuch = grown("memory") > largestGrowth || samples.at(-1).files > settled[0].files + 8 || samples.at(-1).threads > settled[0].threads + 2;
+const tooMuch =
+  grown("memory") > largestGrowth ||
+  samples.at(-1).files > settled[0].files + 8 ||
+  samples.at(-1).threads > settled[0].threads + 2;
 process.exit(code !== 0 || tooMuch ? 1 : 0);

@@ -7,12 +7,29 @@ import { contrasts, overlaps } from "./layout.mjs";
 import { fields, frameNumber, live, openParameters, pause } from "./live.mjs";
 
 const session = live();
-const controls = new Set(["button", "checkbox", "combobox", "radio", "slider", "spinbutton", "textbox", "searchbox", "link", "DisclosureTriangle", "application", "dialog", "form", "group"]);
+const controls = new Set([
+  "button",
+  "checkbox",
+  "combobox",
+  "radio",
+  "slider",
+  "spinbutton",
+  "textbox",
+  "searchbox",
+  "link",
+  "DisclosureTriangle",
+  "application",
+  "dialog",
+  "form",
+  "group",
+]);
 
 /// Roles and names of what assistive technology sees, without a name.
 async function nameless(tab, atLeast) {
   const { nodes } = await tab.command("Accessibility.getFullAXTree");
-  const seen = nodes.filter((n) => !n.ignored && controls.has(n.role?.value) && n.properties?.some((p) => p.name === "focusable" && p.value.value));
+  const seen = nodes.filter(
+    (n) => !n.ignored && controls.has(n.role?.value) && n.properties?.some((p) => p.name === "focusable" && p.value.value),
+  );
   assert.ok(seen.length >= atLeast, `${seen.length} controls`);
   return seen.filter((n) => !n.name?.value.trim()).map((n) => n.role.value);
 }
@@ -43,7 +60,8 @@ test("Tab reaches every control, and the focus is seen", async () => {
   const reached = [];
   for (let i = 0; i < wanted.length + 2; ++i) {
     await tab.key("Tab");
-    const [name, seen] = await tab.evaluate(`(() => { const e = document.activeElement, shown = e.type === 'radio' ? e.parentElement : e;
+    const [name, seen] =
+      await tab.evaluate(`(() => { const e = document.activeElement, shown = e.type === 'radio' ? e.parentElement : e;
       const style = getComputedStyle(shown); return [e.id || e.value, style.outlineStyle !== 'none' && parseFloat(style.outlineWidth) >= 2]; })()`);
     if (name) assert.ok(seen, `${name} has the focus and does not show it`);
     reached.push(name);
@@ -73,7 +91,9 @@ test("the keyboard alone runs a session", async () => {
 
   await tab.key("e");
   await tab.until("document.querySelector('#parameters-form .row')", "E to open the form");
-  const slider = await tab.evaluate("(() => { const s = document.querySelector('#parameters-form input[type=range]'); s.focus(); return s.value; })()");
+  const slider = await tab.evaluate(
+    "(() => { const s = document.querySelector('#parameters-form input[type=range]'); s.focus(); return s.value; })()",
+  );
   const box = await tab.evaluate("document.activeElement.closest('.row').querySelector('input').id");
   for (let i = 0; i < 3; ++i) await tab.key("ArrowLeft");
   await tab.evaluate("document.activeElement.blur()");
@@ -96,20 +116,29 @@ test("shortcuts can be switched off", async () => {
   assert.equal(await frameNumber(tab), frame);
 });
 
-for (const [width, height, touch] of [[360, 740, true], [390, 844, true], [844, 390, true], [768, 1024, true], [1024, 700, false], [1280, 800, false], [1920, 1080, false]])
+for (const [width, height, touch] of [
+  [360, 740, true],
+  [390, 844, true],
+  [844, 390, true],
+  [768, 1024, true],
+  [1024, 700, false],
+  [1280, 800, false],
+  [1920, 1080, false],
+])
   test(`fits ${width} x ${height}`, async () => {
     const tab = await session.open({ width, height, touch });
     await pause(tab);
     await tab.evaluate("document.querySelector('[name=tool][value=push]').click()"); // with its radius
-    const wide = await tab.evaluate("document.documentElement.scrollWidth") - width;
+    const wide = (await tab.evaluate("document.documentElement.scrollWidth")) - width;
     assert.ok(wide <= 0, `${wide} pixels wider than the window`);
     assert.deepEqual(await overlaps(tab), []);
     if (touch) {
-      const narrow = await tab.evaluate(`[...document.querySelectorAll('.bar button:not(.link), .bar select')].filter((e) => e.checkVisibility())
+      const narrow =
+        await tab.evaluate(`[...document.querySelectorAll('.bar button:not(.link), .bar select')].filter((e) => e.checkVisibility())
         .filter((e) => Math.min(e.offsetWidth, e.offsetHeight) < 32).map((e) => e.id)`);
       assert.deepEqual(narrow, [], "too small for a finger");
     }
-    });
+  });
 
 test("a finger presses the controls and the picture", async () => {
   const tab = await session.open({ width: 390, height: 844, touch: true });
@@ -118,8 +147,15 @@ test("a finger presses the controls and the picture", async () => {
   await tab.until("document.getElementById('frame').textContent === 'frame 0'", "a tap to reset");
   const { x, y } = await tab.middle("#picture");
   await tab.touch("touchStart", [[x, y]]);
-  await tab.touch("touchStart", [[x, y], [x + 60, y]]);
-  for (let i = 1; i < 8; ++i) await tab.touch("touchMove", [[x - 5 * i, y], [x + 60 + 5 * i, y]]);
+  await tab.touch("touchStart", [
+    [x, y],
+    [x + 60, y],
+  ]);
+  for (let i = 1; i < 8; ++i)
+    await tab.touch("touchMove", [
+      [x - 5 * i, y],
+      [x + 60 + 5 * i, y],
+    ]);
   await tab.touch("touchEnd", []);
   assert.equal(await tab.evaluate("scrollY"), 0, "two fingers on the picture do not scroll the page");
   assert.deepEqual(tab.errors, []);
@@ -134,7 +170,8 @@ test("text stands out from what is behind it", async () => {
 });
 
 test("less motion means none", async () => {
-  const duration = async (tab) => Number.parseFloat(await tab.evaluate("getComputedStyle(document.getElementById('start')).transitionDuration"));
+  const duration = async (tab) =>
+    Number.parseFloat(await tab.evaluate("getComputedStyle(document.getElementById('start')).transitionDuration"));
   assert.ok((await duration(await session.open())) > 0);
   assert.equal(await duration(await session.open({ reduced: true })), 0);
 });

@@ -25,9 +25,18 @@ export function findBrowser() {
 }
 
 const options = (profile) => [
-  "--headless", "--remote-debugging-pipe", `--user-data-dir=${profile}`, "--no-first-run", "--disable-extensions",
-  "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-gpu", "--mute-audio",
-  "--hide-scrollbars=false", "--force-color-profile=srgb",
+  "--headless",
+  "--remote-debugging-pipe",
+  `--user-data-dir=${profile}`,
+  "--no-first-run",
+  "--disable-extensions",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+  "--disable-gpu",
+  "--mute-audio",
+  "--hide-scrollbars=false",
+  "--force-color-profile=srgb",
   // Chromium refuses its sandbox to root, which containers and CI are.
   ...(process.getuid() === 0 ? ["--no-sandbox"] : []),
   "about:blank",
@@ -65,7 +74,10 @@ export class Browser {
     const { browserContextId } = await this.send("Target.createBrowserContext");
     const { targetId } = await this.send("Target.createTarget", { url: "about:blank", browserContextId });
     const { sessionId } = await this.send("Target.attachToTarget", { targetId, flatten: true });
-    const tab = new Tab((method, params) => this.send(method, params, sessionId), () => this.send("Target.closeTarget", { targetId }));
+    const tab = new Tab(
+      (method, params) => this.send(method, params, sessionId),
+      () => this.send("Target.closeTarget", { targetId }),
+    );
     this.#tabs.set(sessionId, tab);
     await tab.prepare({ width, height, touch, reduced });
     await tab.go(url);

@@ -12,7 +12,11 @@ import { live, message, openParameters, pause } from "./live.mjs";
 import { flipbook } from "./program.mjs";
 
 const session = live();
-const newest = (ending) => readdirSync(session.program.folder).filter((f) => f.endsWith(ending)).sort().at(-1);
+const newest = (ending) =>
+  readdirSync(session.program.folder)
+    .filter((f) => f.endsWith(ending))
+    .sort()
+    .at(-1);
 const inFolder = (name) => join(session.program.folder, name);
 
 async function record(tab, kind, frames) {
@@ -20,7 +24,10 @@ async function record(tab, kind, frames) {
   await tab.click("#record");
   await tab.until("document.getElementById('record').getAttribute('aria-pressed') === 'true'", "the recording to start");
   if ((await tab.text("start")) === "Start") await tab.click("#start");
-  await tab.until(`Number(document.getElementById('record').textContent.replace(/\\D/g, '')) >= ${frames}`, `${frames} recorded frames`);
+  await tab.until(
+    `Number(document.getElementById('record').textContent.replace(/\\D/g, '')) >= ${frames}`,
+    `${frames} recorded frames`,
+  );
   await tab.click("#record");
   return message(tab, "/Saved|saved/");
 }
@@ -31,7 +38,18 @@ test("records a video that holds what it says", async () => {
   await record(tab, "video", 12);
   await tab.until("document.getElementById('record').textContent.trim() === 'Record'", "the recording to end");
   const video = inFolder(newest(".mp4"));
-  const probe = ["-v", "error", "-count_frames", "-select_streams", "v", "-show_entries", "stream=nb_read_frames", "-of", "csv=p=0", video];
+  const probe = [
+    "-v",
+    "error",
+    "-count_frames",
+    "-select_streams",
+    "v",
+    "-show_entries",
+    "stream=nb_read_frames",
+    "-of",
+    "csv=p=0",
+    video,
+  ];
   assert.ok(Number(execFileSync("ffprobe", probe).toString().trim()) >= 12);
   assert.deepEqual(tab.errors, []);
 });
@@ -66,8 +84,12 @@ test("a saved study renders the recorded pictures again", async () => {
   await tab.click("#save");
   await message(tab, "/\\.toml/");
   const study = inFolder(newest(".toml"));
-  const recorded = readdirSync(session.program.folder, { withFileTypes: true }).filter((d) => d.isDirectory()).at(-1).name;
-  const frames = readdirSync(inFolder(recorded)).filter((f) => f.endsWith(".png")).sort();
+  const recorded = readdirSync(session.program.folder, { withFileTypes: true })
+    .filter((d) => d.isDirectory())
+    .at(-1).name;
+  const frames = readdirSync(inFolder(recorded))
+    .filter((f) => f.endsWith(".png"))
+    .sort();
   assert.ok(frames.length >= 15, `${frames.length} recorded frames`);
 
   const again = mkdtempSync(join(tmpdir(), "flipbook-again-"));
@@ -78,4 +100,5 @@ test("a saved study renders the recorded pictures again", async () => {
   assert.deepEqual(tab.errors, []);
 });
 
-const pixels = (file) => execFileSync("ffmpeg", ["-v", "error", "-i", file, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"], { maxBuffer: 1 << 26 });
+const pixels = (file) =>
+  execFileSync("ffmpeg", ["-v", "error", "-i", file, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"], { maxBuffer: 1 << 26 });

@@ -2,7 +2,8 @@
 // Measures of how the page is laid out.
 
 /// Pairs of controls, or of a control and the picture, of which one covers a part of the other.
-export const overlaps = (tab) => tab.evaluate(`(() => {
+export const overlaps = (tab) =>
+  tab.evaluate(`(() => {
   const seen = [...document.querySelectorAll('.bar button, .bar select, .bar label, .clock, .connection, .role, .numbers, #stage')].filter((e) => e.checkVisibility());
   const boxes = seen.map((e) => ({ name: e.id || e.className || e.textContent.trim(), box: e.getBoundingClientRect(), e })).filter(({ box }) => box.width > 0);
   const covers = (a, b) => Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 1;
@@ -10,7 +11,8 @@ export const overlaps = (tab) => tab.evaluate(`(() => {
 })()`);
 
 /// Every text of an enabled part of the page, with the contrast to its background as WCAG 2 defines it.
-export const contrasts = (tab) => tab.evaluate(`(() => {
+export const contrasts = (tab) =>
+  tab.evaluate(`(() => {
   const canvas = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
   const rgb = (colour) => { canvas.clearRect(0, 0, 1, 1); canvas.fillStyle = colour; canvas.fillRect(0, 0, 1, 1); return [...canvas.getImageData(0, 0, 1, 1).data]; };
   const channel = (c) => (c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4);

@@ -52,12 +52,31 @@ export async function pause(tab) {
   await tab.until("document.getElementById('start').textContent.trim() === 'Start'", "the run to pause");
 }
 
+/// From the first frame on, running.
+export async function restart(tab) {
+  await pause(tab);
+  await tab.click("#reset");
+  await tab.until("document.getElementById('frame').textContent === 'frame 0'", "frame 0");
+  await tab.click("#start");
+  await tab.until("document.getElementById('start').textContent.trim() === 'Pause'", "the run to start");
+}
+
+export async function openScene(tab, name) {
+  await tab.click("#choose");
+  await tab.click(`.choice[data-kind=scene][data-name=${name}]`);
+  await tab.until(`document.getElementById('run-name').textContent === '${name.replaceAll("_", " ")}'`, `${name} to open`);
+  await tab.until("!document.getElementById('start').disabled", "its controls");
+}
+
+export const particles = async (tab) => Number((await tab.text("run-kind")).replace(/\D/g, ""));
+
 /// The message that the page shows, once it matches.
 export const message = (tab, pattern) =>
   tab.until(`document.getElementById('message').textContent.match(${pattern})?.input`, `a message like ${pattern}`);
 
 /// The values in the form of parameters: [{label, of, value}].
-export const fields = (tab) => tab.evaluate(`[...document.querySelectorAll('#parameters-form .row')].map((row) => {
+export const fields = (tab) =>
+  tab.evaluate(`[...document.querySelectorAll('#parameters-form .row')].map((row) => {
   const [label, of] = [row.querySelector('label').firstChild.textContent.trim(), row.querySelector('.of')?.textContent ?? ''];
   const input = row.querySelector('input:not([type=range]), select');
   return { label, of, id: input.id, value: input.type === 'checkbox' ? input.checked : input.value };
@@ -69,7 +88,8 @@ export async function openParameters(tab) {
 }
 
 /// Pixels of the picture, as {width, height, colours, hash}: enough to tell a picture from a blank one and from another.
-export const look = (tab) => tab.evaluate(`(() => {
+export const look = (tab) =>
+  tab.evaluate(`(() => {
   const picture = document.getElementById('picture');
   const copy = Object.assign(document.createElement('canvas'), { width: picture.width, height: picture.height });
   const pen = copy.getContext('2d');

@@ -10,7 +10,8 @@ const session = live();
 const orange = [0xe6, 0x9f, 0x00]; // of the second pane
 
 /// The longest run of a colour in the right part of the picture, as points of the window: a slider's filled track.
-const track = (tab, colour) => tab.evaluate(`(() => {
+const track = (tab, colour) =>
+  tab.evaluate(`(() => {
   const picture = document.getElementById('picture'), { width, height } = picture;
   const pen = Object.assign(document.createElement('canvas'), { width, height }).getContext('2d');
   pen.drawImage(picture, 0, 0);
@@ -42,9 +43,9 @@ test("a slider in the picture follows the pointer", async () => {
   assert.ok(length > 20, `a filled track of ${length} pixels`);
   const before = await look(tab);
   await tab.drag(right, { x: left.x + 0.3 * (right.x - left.x), y: right.y });
-  await tab.until(`Number(document.getElementById('${(await fields(tab)).find((f) => f.label === "flip ratio").id}').value) < 0.9`, "the form to follow");
-  const after = await ratio(tab);
-  assert.ok(after > 0.15 && after < 0.45, `dragged to three tenths: ${after}`);
+  const { id } = (await fields(tab)).find((f) => f.label === "flip ratio");
+  // The form is told a few times a second.
+  await tab.until(`Math.abs(Number(document.getElementById('${id}').value) - 0.3) < 0.1`, "the form to say three tenths");
   await sleep(300);
   assert.notEqual((await look(tab)).hash, before.hash);
   assert.deepEqual(tab.errors, []);
@@ -60,8 +61,13 @@ test("the scheme of a pane changes in mid-run", async () => {
   assert.ok(schemes.some((f) => f.value === "pic"));
   const { id } = schemes.find((f) => f.value === "pic");
   await tab.until("Number(document.getElementById('frame').textContent.slice(6)) > 3", "the run to be under way");
-  await tab.evaluate(`(() => { const list = document.getElementById('${id}'); list.value = 'apic'; list.dispatchEvent(new Event('change', { bubbles: true })); })()`);
-  await tab.until("[...document.querySelectorAll('#parameters-form .row')].every((r) => r.querySelector('select')?.value !== 'pic')", "the scheme to change");
+  await tab.evaluate(
+    `(() => { const list = document.getElementById('${id}'); list.value = 'apic'; list.dispatchEvent(new Event('change', { bubbles: true })); })()`,
+  );
+  await tab.until(
+    "[...document.querySelectorAll('#parameters-form .row')].every((r) => r.querySelector('select')?.value !== 'pic')",
+    "the scheme to change",
+  );
   const frame = Number((await tab.text("frame")).slice(6));
   await tab.until(`Number(document.getElementById('frame').textContent.slice(6)) > ${frame + 3}`, "the run to go on");
   await pause(tab);
@@ -73,8 +79,12 @@ test("a wrong value is not sent", async () => {
   await pause(tab);
   await openParameters(tab);
   const all = await fields(tab);
-  const ratioField = all.find((f) => f.label === "flip ratio"), gravity = all.find((f) => /^(0, )?-9\.81|^0, -9\.81/.test(f.value));
-  for (const [{ id }, text] of [[ratioField, "7"], [gravity, "down"]]) {
+  const ratioField = all.find((f) => f.label === "flip ratio"),
+    gravity = all.find((f) => /^(0, )?-9\.81|^0, -9\.81/.test(f.value));
+  for (const [{ id }, text] of [
+    [ratioField, "7"],
+    [gravity, "down"],
+  ]) {
     await tab.evaluate(`document.getElementById('${id}').focus(); document.getElementById('${id}').select()`);
     await tab.type(text);
     await tab.key("Enter");
@@ -83,7 +93,8 @@ test("a wrong value is not sent", async () => {
   const fresh = await session.open(); // the values that the program has
   await openParameters(fresh);
   const now = await fields(fresh);
-  for (const { label, of, value } of [ratioField, gravity]) assert.equal(now.find((f) => f.label === label && f.of === of).value, value);
+  for (const { label, of, value } of [ratioField, gravity])
+    assert.equal(now.find((f) => f.label === label && f.of === of).value, value);
   assert.equal(await tab.text("connection-text"), "Connected");
   assert.deepEqual(tab.errors, []);
 });

@@ -20,7 +20,10 @@ export class Program {
     const program = new Program();
     program.folder = folder;
     const environment = token ? { ...process.env, FLIPBOOK_TOKEN: token } : process.env;
-    program.#process = spawn(flipbook, ["serve", ...what, "--port", String(port), "-o", folder], { env: environment, stdio: ["ignore", "pipe", "pipe"] });
+    program.#process = spawn(flipbook, ["serve", ...what, "--port", String(port), "-o", folder], {
+      env: environment,
+      stdio: ["ignore", "pipe", "pipe"],
+    });
     for (const stream of [program.#process.stdout, program.#process.stderr]) stream.on("data", (data) => (program.#said += data));
     program.ended = new Promise((resolve) => program.#process.on("exit", resolve));
     process.on("exit", () => program.#process.kill("SIGKILL")); // whatever ends the test

@@ -10,6 +10,8 @@ if (!findBrowser()) {
   console.log("Skipped: no browser was found. Install chromium-headless-shell, or name one in FLIPBOOK_BROWSER.");
   process.exit(77);
 }
-const all = readdirSync(new URL(".", import.meta.url)).filter((f) => f.endsWith("_test.mjs")).sort();
+const all = readdirSync(new URL(".", import.meta.url))
+  .filter((f) => f.endsWith("_test.mjs"))
+  .sort();
 const wanted = process.argv.slice(2).map((name) => `${name}_test.mjs`);
 for (const file of wanted.length ? wanted : all) await import(`./${file}`);

@@ -67,36 +67,12 @@ test("opens another scene by typing a part of its name", async () => {
   await tab.type("double dam");
   await tab.key("Enter");
   await tab.until("document.getElementById('run-name').textContent === 'double dam'", "the scene to open");
-  assert.equal(await tab.text("run-kind"), "scene");
+  assert.match(await tab.text("run-kind"), /^scene, [\d,]+ particles$/);
   await tab.until("document.getElementById('frame').textContent === 'frame 0'", "its first frame");
   await tab.until("!document.getElementById('start').disabled", "its controls");
   await tab.click("#choose");
   await tab.type("dam_break");
   await tab.click(".choice[data-kind=study][data-name=dam_break]");
   await tab.until("document.getElementById('run-name').textContent === 'dam break'", "the study to open");
-  assert.deepEqual(tab.errors, []);
-});
-
-test("the wheel and the tools are edits that the run keeps", async () => {
-  const tab = await session.open();
-  const edits = async () => {
-    await tab.click("#choose");
-    await tab.until("document.getElementById('chooser').open");
-    const text = await tab.evaluate("document.getElementById('chooser-warning').hidden ? '0' : document.getElementById('chooser-warning').textContent");
-    await tab.key("Escape");
-    return Number.parseInt(text, 10);
-  };
-  await pause(tab);
-  await tab.click("#reset");
-  await tab.until("document.getElementById('frame').textContent === 'frame 0'", "frame 0");
-  await tab.click("#start");
-  const before = await edits();
-  const tool = "#tools label:has([value=push])";
-  await tab.click(tool);
-  const { x, y } = await tab.middle("#picture");
-  await tab.drag({ x: x - 300, y: y + 50 }, { x: x - 200, y: y - 20 });
-  await sleep(500);
-  assert.ok((await edits()) > before, "pushing the fluid is an edit");
-  await pause(tab);
   assert.deepEqual(tab.errors, []);
 });

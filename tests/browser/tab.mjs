@@ -4,9 +4,18 @@
 import { writeFileSync } from "node:fs";
 import { setTimeout as sleep } from "node:timers/promises";
 
-const keyCodes = { Space: [" ", 32], Enter: ["Enter", 13], Tab: ["Tab", 9], Escape: ["Escape", 27], Home: ["Home", 36],
-  ArrowLeft: ["ArrowLeft", 37], ArrowUp: ["ArrowUp", 38], ArrowRight: ["ArrowRight", 39], ArrowDown: ["ArrowDown", 40],
-  Backspace: ["Backspace", 8] };
+const keyCodes = {
+  Space: [" ", 32],
+  Enter: ["Enter", 13],
+  Tab: ["Tab", 9],
+  Escape: ["Escape", 27],
+  Home: ["Home", 36],
+  ArrowLeft: ["ArrowLeft", 37],
+  ArrowUp: ["ArrowUp", 38],
+  ArrowRight: ["ArrowRight", 39],
+  ArrowDown: ["ArrowDown", 40],
+  Backspace: ["Backspace", 8],
+};
 const texts = { Space: " ", Enter: "\r" };
 
 export class Tab {
@@ -20,15 +29,23 @@ export class Tab {
   }
 
   async prepare({ width, height, touch, reduced }) {
-    await Promise.all([this.#send("Page.enable"), this.#send("Runtime.enable"), this.#send("Log.enable"), this.#send("Network.enable")]);
+    await Promise.all([
+      this.#send("Page.enable"),
+      this.#send("Runtime.enable"),
+      this.#send("Log.enable"),
+      this.#send("Network.enable"),
+    ]);
     await this.resize(width, height, touch);
     if (touch) await this.#send("Emulation.setTouchEmulationEnabled", { enabled: true, maxTouchPoints: 5 });
-    if (reduced) await this.#send("Emulation.setEmulatedMedia", { features: [{ name: "prefers-reduced-motion", value: "reduce" }] });
+    if (reduced)
+      await this.#send("Emulation.setEmulatedMedia", { features: [{ name: "prefers-reduced-motion", value: "reduce" }] });
   }
 
   happened(method, params) {
-    if (method === "Runtime.exceptionThrown") this.errors.push(params.exceptionDetails.exception?.description ?? params.exceptionDetails.text);
-    if (method === "Log.entryAdded" && params.entry.level === "error") this.errors.push(`${params.entry.text} ${params.entry.url ?? ""}`);
+    if (method === "Runtime.exceptionThrown")
+      this.errors.push(params.exceptionDetails.exception?.description ?? params.exceptionDetails.text);
+    if (method === "Log.entryAdded" && params.entry.level === "error")
+      this.errors.push(`${params.entry.text} ${params.entry.url ?? ""}`);
   }
 
   async go(url) {
@@ -51,7 +68,11 @@ export class Tab {
   // Looking ---------------------------------------------------------------------------------------------------------
 
   async evaluate(expression) {
-    const { result, exceptionDetails } = await this.#send("Runtime.evaluate", { expression, awaitPromise: true, returnByValue: true });
+    const { result, exceptionDetails } = await this.#send("Runtime.evaluate", {
+      expression,
+      awaitPromise: true,
+      returnByValue: true,
+    });
     if (exceptionDetails) throw new Error(`${expression}: ${exceptionDetails.exception?.description ?? exceptionDetails.text}`);
     return result.value;
   }
@@ -73,9 +94,18 @@ export class Tab {
 
   /// The middle of what the selector finds, in the window.
   async middle(selector) {
-    const box = await this.evaluate(`(() => { const e = document.querySelector(${JSON.stringify(selector)}); e.scrollIntoView({ block: "nearest" });
+    const box = await this
+      .evaluate(`(() => { const e = document.querySelector(${JSON.stringify(selector)}); e.scrollIntoView({ block: "nearest" });
       const b = e.getBoundingClientRect(); return [b.x + b.width / 2, b.y + b.height / 2]; })()`);
     return { x: box[0], y: box[1] };
+  }
+
+  /// A place in the picture, by fractions of it, in the window.
+  async inPicture(x, y) {
+    const box = await this.evaluate(`(() => { const e = document.getElementById("picture"), b = e.getBoundingClientRect();
+      const scale = Math.min(b.width / e.width, b.height / e.height);
+      return [b.x + b.width / 2, b.y + b.height / 2, scale * e.width, scale * e.height]; })()`);
+    return { x: box[0] + (x - 0.5) * box[2], y: box[1] + (y - 0.5) * box[3] };
   }
 
   async screenshot(file) {
@@ -119,7 +149,14 @@ export class Tab {
     const [key, windowsVirtualKeyCode] = keyCodes[name] ?? [name, name.toUpperCase().charCodeAt(0)];
     const text = texts[name] ?? (name.length === 1 ? name : undefined);
     const modifiers = shift ? 8 : 0;
-    await this.#send("Input.dispatchKeyEvent", { type: text ? "keyDown" : "rawKeyDown", key, code: name, windowsVirtualKeyCode, text, modifiers });
+    await this.#send("Input.dispatchKeyEvent", {
+      type: text ? "keyDown" : "rawKeyDown",
+      key,
+      code: name,
+      windowsVirtualKeyCode,
+      text,
+      modifiers,
+    });
     await this.#send("Input.dispatchKeyEvent", { type: "keyUp", key, code: name, windowsVirtualKeyCode, modifiers });
   }
 

@@ -11,15 +11,25 @@ const scattered = (seconds) => seconds * (0.8 + 0.4 * Math.random());
 /// What the closing of a connection means: a sentence for people, and from which delay on to try again (none: not at all).
 function meaning(code, reason) {
   switch (code) {
-    case 1001: return { text: "The program has ended.", from: 2 };
-    case 1011: return { text: reason ? `The run failed: ${reason}.` : "The run failed.", from: slowest };
-    case 4401: return { text: "This link is not valid", from: null };
-    case 4408: return { text: "The program gave this page up: it was silent for too long.", from: 0 };
-    case 4409: return { text: "Too many pages are open.", from: slowest };
-    case 4429: return { text: "This page sent too much at once.", from: 2 };
-    case 1002: case 1007: case 1009: case 4400:
+    case 1001:
+      return { text: "The program has ended.", from: 2 };
+    case 1011:
+      return { text: reason ? `The run failed: ${reason}.` : "The run failed.", from: slowest };
+    case 4401:
+      return { text: "This link is not valid", from: null };
+    case 4408:
+      return { text: "The program gave this page up: it was silent for too long.", from: 0 };
+    case 4409:
+      return { text: "Too many pages are open.", from: slowest };
+    case 4429:
+      return { text: "This page sent too much at once.", from: 2 };
+    case 1002:
+    case 1007:
+    case 1009:
+    case 4400:
       return { text: "The program did not understand this page. Reload it if that goes on.", from: slowest };
-    default: return { text: "Connection lost.", from: 0 };
+    default:
+      return { text: "Connection lost.", from: 0 };
   }
 }
 
@@ -64,7 +74,8 @@ export class Connection extends EventTarget {
     this.#socket = socket;
     let opened = false;
     socket.onmessage = ({ data }) => {
-      if (!opened) { // a connection that is refused was open too: only a word says that it stands
+      if (!opened) {
+        // a connection that is refused was open too: only a word says that it stands
         opened = true;
         this.#tell("status", { state: "open", text: "Connected", again: this.#lost !== "" });
         this.#lost = "";

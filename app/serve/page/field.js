@@ -3,15 +3,22 @@
 
 const make = (tag, more = {}) => Object.assign(document.createElement(tag), more);
 const digits = (x) => String(Number(Number(x).toPrecision(6)));
-const numbers = (text) => text.split(/[\s,;×]+/).filter(Boolean).map(Number);
+const numbers = (text) =>
+  text
+    .split(/[\s,;×]+/)
+    .filter(Boolean)
+    .map(Number);
 const words = (text) => text.split(/[\s,;]+/).filter(Boolean);
+
+/// In the plane the third of three numbers says nothing.
+const listed = (v, dim) => (v.length === 3 ? v.slice(0, dim) : v).map(digits).join(", ");
 
 /// How a list of a kind is written in a text field, and read again.
 const texts = {
   text: { write: (v) => v, read: (t) => t },
   names: { write: (v) => v.join(", "), read: words },
-  reals: { write: (v) => v.map(digits).join(", "), read: numbers },
-  integers: { write: (v) => v.map(digits).join(", "), read: numbers },
+  reals: { write: listed, read: numbers },
+  integers: { write: listed, read: numbers },
 };
 
 /// How far the track of a slider is filled.
@@ -40,7 +47,7 @@ function number(p, { id, label, set }) {
   const box = make("input", { type: "number", id, step: "any" });
   if (p.min !== null) box.min = p.min;
   if (p.max !== null) box.max = p.max;
-  box.addEventListener("change", () => box.value !== "" && box.checkValidity() ? set(box.valueAsNumber) : box.reportValidity());
+  box.addEventListener("change", () => (box.value !== "" && box.checkValidity() ? set(box.valueAsNumber) : box.reportValidity()));
   const ranged = p.min !== null && p.max !== null && p.max > p.min && !p.restart;
   if (!ranged) return { parts: [box], main: box, write: (v) => (box.value = digits(v)) };
   const slider = make("input", { type: "range", min: p.min, max: p.max, step: stepOf(p), ariaLabel: `${label}, slider` });
@@ -62,7 +69,7 @@ function number(p, { id, label, set }) {
   return { parts: [box], below: slider, main: box, write: (v) => ((box.value = digits(v)), show(v)) };
 }
 
-function text(p, { id, set }) {
+function text(p, { id, dim, set }) {
   const { write, read } = texts[p.kind];
   const box = make("input", { type: "text", id, spellcheck: false });
   box.addEventListener("change", () => {
@@ -72,15 +79,15 @@ function text(p, { id, set }) {
     if (wrong) box.reportValidity();
     else set(value);
   });
-  return { parts: [box], main: box, write: (v) => (box.value = write(v)) };
+  return { parts: [box], main: box, write: (v) => (box.value = write(v, dim)) };
 }
 
 const kinds = { flag, choice, real: number, integer: number, text, names: text, reals: text, integers: text };
 
 /// {row, show(value)}; `set(value)` is called when a person changes it.
-export function makeField(p, { id, label, of, set }) {
+export function makeField(p, { id, label, of, dim, set }) {
   const name = of ? `${label}, ${of}` : label;
-  const field = kinds[p.kind](p, { id, label: name, set });
+  const field = kinds[p.kind](p, { id, label: name, dim, set });
   const row = make("div", { className: "row", title: p.help });
   const title = make("label", { htmlFor: id, textContent: label });
   if (of) title.append(" ", make("span", { className: "of", textContent: of }));

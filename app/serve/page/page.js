@@ -19,7 +19,7 @@ let role = null;
 let seq = 0;
 
 const driving = () => role === "driver";
-const act = (action, more) => driving() || action === "drive" || action === "parameters" ? connection.do(action, more) : false;
+const act = (action, more) => (driving() || action === "drive" || action === "parameters" ? connection.do(action, more) : false);
 
 // Parameters ----------------------------------------------------------------------------------------------------------
 
@@ -67,25 +67,31 @@ function bare() {
   $("bar").hidden = !$("bar").hidden;
 }
 
-const keys = new Keys($("picture"), [
-  { key: "Space", text: "Start or pause", run: () => bar.start() },
-  { key: "n", shown: "N", text: "One frame further", run: () => act("step"), repeats: true },
-  { key: "Home", text: "Reset to the first frame", run: () => act("reset") },
-  { key: "r", shown: "R", text: "Record, stop recording", run: () => bar.record() },
-  { key: "p", shown: "P", text: "Snapshot: a PNG of the picture", run: () => act("snapshot") },
-  { key: "s", shown: "S", text: "Save as study", run: () => act("save_study") },
-  { key: "o", shown: "O", text: "Choose a scene or study", run: () => $("choose").click() },
-  ...["camera", "push", "add", "remove", "solid"].map((tool, i) => ({
-    key: String(i + 1), text: ["Panel and camera", "Push", "Add", "Remove", "Drag a solid"][i], run: () => bar.take(tool),
-  })),
-  { key: "[", shown: "[ ]", text: "Smaller, larger tool", run: () => bar.wider(0.8), repeats: true },
-  { key: "]", run: () => bar.wider(1.25), repeats: true },
-  { key: "l", shown: "L", text: "Link the panes, or not", run: () => bar.link() },
-  { key: "e", shown: "E", text: "Parameters as a form", run: toggleParameters },
-  { key: "f", shown: "F", text: "Full screen", run: () => bar.full() },
-  { key: "b", shown: "B", text: "Hide or show the bar", run: bare },
-  { key: "?", text: "This help", run: () => $("helper").showModal() },
-], { state: () => state, send: (key) => input(key, performance.now()), camera: turnCamera });
+const keys = new Keys(
+  $("picture"),
+  [
+    { key: "Space", text: "Start or pause", run: () => bar.start() },
+    { key: "n", shown: "N", text: "One frame further", run: () => act("step"), repeats: true },
+    { key: "Home", text: "Reset to the first frame", run: () => act("reset") },
+    { key: "r", shown: "R", text: "Record, stop recording", run: () => bar.record() },
+    { key: "p", shown: "P", text: "Snapshot: a PNG of the picture", run: () => act("snapshot") },
+    { key: "s", shown: "S", text: "Save as study", run: () => act("save_study") },
+    { key: "o", shown: "O", text: "Choose a scene or study", run: () => $("choose").click() },
+    ...["camera", "push", "add", "remove", "solid"].map((tool, i) => ({
+      key: String(i + 1),
+      text: ["Panel and camera", "Push", "Add", "Remove", "Drag a solid"][i],
+      run: () => bar.take(tool),
+    })),
+    { key: "[", shown: "[ ]", text: "Smaller, larger tool", run: () => bar.wider(0.8), repeats: true },
+    { key: "]", run: () => bar.wider(1.25), repeats: true },
+    { key: "l", shown: "L", text: "Link the panes, or not", run: () => bar.link() },
+    { key: "e", shown: "E", text: "Parameters as a form", run: toggleParameters },
+    { key: "f", shown: "F", text: "Full screen", run: () => bar.full() },
+    { key: "b", shown: "B", text: "Hide or show the bar", run: bare },
+    { key: "?", text: "This help", run: () => $("helper").showModal() },
+  ],
+  { state: () => state, send: (key) => input(key, performance.now()), camera: turnCamera },
+);
 keys.explain($("keys"), $("shortcuts"));
 
 $("help").addEventListener("click", () => $("helper").showModal());
@@ -124,7 +130,7 @@ const heard = {
     if (changed) askParameters();
   },
   parameters(message) {
-    parameters.show(message);
+    parameters.show(message, state?.dim ?? 3);
     const theme = parameters.view("view.theme")?.value ?? "dark";
     document.documentElement.dataset.theme = theme;
     document.querySelector("[name=color-scheme]").content = theme;
@@ -143,10 +149,16 @@ const stage = $("stage");
 
 function showAbsence(detail) {
   const refused = detail.state === "refused";
-  $("absent-title").textContent = refused ? "This link is not valid" : detail.state === "waiting" ? "No connection" : "Connecting";
+  $("absent-title").textContent = refused
+    ? "This link is not valid"
+    : detail.state === "waiting"
+      ? "No connection"
+      : "Connecting";
   $("absent-text").textContent = refused
     ? "Every start of the program makes a new link. Open the address that flipbook serve printed last; it ends with #token= and the key."
-    : detail.state === "waiting" ? `${detail.text} This page tries again by itself.` : "Waiting for the first picture.";
+    : detail.state === "waiting"
+      ? `${detail.text} This page tries again by itself.`
+      : "Waiting for the first picture.";
   $("absent-retry").hidden = detail.state !== "waiting";
 }
 

@@ -4,7 +4,11 @@
 import { makeField } from "./field.js";
 
 /// "flip ratio" for "transfer.flip_ratio".
-const label = (path) => path.slice(path.indexOf(".") + 1).replaceAll("_", " ").replaceAll(".", " ");
+const label = (path) =>
+  path
+    .slice(path.indexOf(".") + 1)
+    .replaceAll("_", " ")
+    .replaceAll(".", " ");
 const group = (path) => (path.includes(".") ? path.slice(0, path.indexOf(".")) : "run");
 const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 
@@ -38,11 +42,15 @@ export class Parameters {
     this.#form.addEventListener("submit", (e) => e.preventDefault());
   }
 
-  show(message) {
+  /// `dim`: 2 or 3.
+  show(message, dim) {
     this.#view = message.view;
     const rows = rowsOf(message);
-    const shape = JSON.stringify(rows.map(({ p, pane, title }) => [p.path, pane, title, p.kind, p.min, p.max, p.options]));
-    if (shape !== this.#shape) this.#build(rows);
+    const shape = JSON.stringify([
+      dim,
+      ...rows.map(({ p, pane, title }) => [p.path, pane, title, p.kind, p.min, p.max, p.options]),
+    ]);
+    if (shape !== this.#shape) this.#build(rows, dim);
     this.#shape = shape;
     rows.forEach(({ p }, i) => this.#fields[i].show(p.value));
     this.enable(this.#may);
@@ -63,11 +71,18 @@ export class Parameters {
     if (p) p.value = value;
   }
 
-  #build(rows) {
+  #build(rows, dim) {
     const open = this.#form.querySelector("details")?.open ?? false;
     const focused = document.activeElement?.id;
     this.#fields = rows.map(({ p, pane, title }, i) =>
-      makeField(p, { id: `parameter-${i}`, label: label(p.path), of: title, set: (value) => this.#set(p.path, value, pane) }));
+      makeField(p, {
+        id: `parameter-${i}`,
+        label: label(p.path),
+        of: title,
+        dim,
+        set: (value) => this.#set(p.path, value, pane),
+      }),
+    );
     this.#form.replaceChildren();
     this.#section(this.#form, rows, (p) => p.level === "teach");
     const more = document.createElement("details");

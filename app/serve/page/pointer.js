@@ -54,7 +54,8 @@ export class Pointer {
   #move(e) {
     if (e.pointerType === "touch") return this.#fingerMove(e);
     this.#place(e);
-    if (e.buttons !== this.#buttons) this.#hold(e.buttons); // a second button, pressed or let go during a drag
+    if (e.buttons !== this.#buttons)
+      this.#hold(e.buttons); // a second button, pressed or let go during a drag
     else this.#soon();
   }
 
