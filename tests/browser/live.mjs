@@ -42,6 +42,7 @@ export function live(what = small, options = {}) {
 export async function connected(tab) {
   await tab.until("document.getElementById('connection').dataset.state === 'open'", "the page to connect");
   await tab.until("!document.getElementById('stage').hasAttribute('data-empty')", "the first picture");
+  await tab.until("document.getElementById('role').textContent !== ''", "a role");
 }
 
 export const frameNumber = async (tab) => Number((await tab.text("frame")).match(/\d+/)?.[0]);
@@ -68,7 +69,7 @@ export async function openScene(tab, name) {
   await tab.until("!document.getElementById('start').disabled", "its controls");
 }
 
-export const particles = async (tab) => Number((await tab.text("run-kind")).replace(/\D/g, ""));
+export const particles = async (tab) => Number((await tab.text("run-size")).replace(/\D/g, ""));
 
 /// The message that the page shows, once it matches.
 export const message = (tab, pattern) =>

@@ -67,7 +67,7 @@ test("opens another scene by typing a part of its name", async () => {
   await tab.type("double dam");
   await tab.key("Enter");
   await tab.until("document.getElementById('run-name').textContent === 'double dam'", "the scene to open");
-  assert.match(await tab.text("run-kind"), /^scene, [\d,]+ particles$/);
+  assert.match(await tab.text("run-size"), /^[\d,]+ particles$/);
   await tab.until("document.getElementById('frame').textContent === 'frame 0'", "its first frame");
   await tab.until("!document.getElementById('start').disabled", "its controls");
   await tab.click("#choose");

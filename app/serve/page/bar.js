@@ -96,7 +96,7 @@ export class Bar {
     write($("frame"), state.busy ? "preparing" : `frame ${state.frame}`);
     $("stage").setAttribute("aria-busy", String(state.busy));
     write($("run-name"), state.name.replaceAll("_", " "));
-    write($("run-kind"), `${state.kind}, ${state.particles.toLocaleString("en")} particles`);
+    write($("run-size"), `${state.particles.toLocaleString("en")} particles`);
     document.title = `${state.title || state.name} - Flipbook`;
     this.#showRecording(state.recording);
     $("link").hidden = (state.panes?.length ?? 1) < 2;
