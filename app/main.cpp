@@ -34,6 +34,10 @@ const std::array table = std::to_array<CommandEntry>({
      "view.colour=vorticity\n  flipbook compare dam_break --vary transfer.flip_ratio=0,0.5,0.95,1",
      make_compare},
     {"still", "Single pictures at given times", "Examples:\n  flipbook still drop --at 0.2,0.4,0.6", make_still},
+    {"serve", "Run a study or a scene live, in a browser",
+     "Examples:\n  flipbook serve dam_break\n  flipbook serve my_study.toml --port 8080 -o recordings\n"
+     "  ssh -L 8080:localhost:8080 cluster flipbook serve dam_break --port 8080",
+     make_serve},
     {"verify", "Check the conservation properties of the transfers, one row for each",
      "Examples:\n  flipbook verify\n  flipbook verify --only angular --json", make_verify},
     {"validate", "Run flows with a known solution, and write a table, CSV files and a figure of each",

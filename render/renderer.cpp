@@ -75,12 +75,40 @@ struct Renderer::Impl {
     const Page page(frame, view, fonts, canvas.width(), canvas.height());
     gui::Session session(fonts, canvas.width(), canvas.height(), colours);
     const std::optional<gui::Hand> hand = run_panel(session, frame, view, page.layout().panel);
+    paint(page, view, session);
+    if (hand)
+      ink_layer(session,
+                [&](gui::Ink& ink) { draw_pointer(ink, hand->at, chosen_target(frame)->grip, hand->pressed); });
+    return canvas.read();
+  }
 
+  Image draw_live(const Frame& frame, const ViewSettings& view, const LiveLayer& layer) {
+    labels.clear();
+    const Page page(frame, view, fonts, canvas.width(), canvas.height());
+    live_panes = page.panes();
+    live_panel = view.show_panel ? page.layout().panel : Rect{};
+    const auto current = layer.gui.make_current();
+    std::vector<Widget> widgets;
+    std::vector<TextBox> texts;
+    layer.gui.run(layer.events, layer.seconds, [&] {
+      widgets.clear();
+      texts.clear();
+      PanelArea area{page.layout().panel, fonts.scale(), fonts, palette(view.theme), widgets, texts};
+      if (layer.panel && view.show_panel) layer.panel(frame, view, area);
+    });
+    paint(page, view, layer.gui);
+    if (layer.over) ink_layer(layer.gui, [&](gui::Ink& ink) { layer.over(ink, live_panes); });
+    return canvas.read();
+  }
+
+  /// The page with its particles, and the widgets.
+  template <class Gui> void paint(const Page& page, const ViewSettings& view, const Gui& gui) {
+    const Palette& colours = palette(view.theme);
     canvas.bind();
     gl.Disable(GL_SCISSOR_TEST);
     gl.ClearColor(colours.page.r / 255.F, colours.page.g / 255.F, colours.page.b / 255.F, 1);
     gl.Clear(GL_COLOR_BUFFER_BIT);
-    ink_layer(session, [&](gui::Ink& ink) { page.draw_under(ink); });
+    ink_layer(gui, [&](gui::Ink& ink) { page.draw_under(ink); });
     for (std::size_t i = 0; i < page.panes().size(); ++i) {
       const PaneView& pane = page.panes()[i];
       if (pane.camera)
@@ -88,17 +116,13 @@ struct Renderer::Impl {
       else
         discs.draw(pane, page.values()[i], page.scale(), view.particle_size, canvas);
     }
-    ink_layer(session, [&](gui::Ink& ink) { page.draw_over(ink); });
-    const ImDrawData& widgets = session.data();
+    ink_layer(gui, [&](gui::Ink& ink) { page.draw_over(ink); });
+    const ImDrawData& widgets = gui.data();
     for (int i = 0; i < widgets.CmdListsCount; ++i) painter.draw(*widgets.CmdLists[i], canvas);
-    if (hand)
-      ink_layer(session,
-                [&](gui::Ink& ink) { draw_pointer(ink, hand->at, chosen_target(frame)->grip, hand->pressed); });
-    return canvas.read();
   }
 
-  template <class Draw> void ink_layer(const gui::Session& session, Draw&& draw_on) {
-    const std::unique_ptr<ImDrawList> list = session.list();
+  template <class Gui, class Draw> void ink_layer(const Gui& gui, Draw&& draw_on) {
+    const std::unique_ptr<ImDrawList> list = gui.list();
     gui::Ink ink(*list, fonts, labels);
     draw_on(ink);
     painter.draw(*list, canvas);
@@ -112,6 +136,8 @@ struct Renderer::Impl {
   SpaceView space;
   PanelBuilder panel;
   std::vector<TextBox> labels;
+  std::vector<PaneView> live_panes;
+  Rect live_panel;
 };
 
 Renderer::Renderer(Context& context, int width, int height, PanelBuilder panel, Workers workers)
@@ -120,6 +146,18 @@ Renderer::~Renderer() = default;
 
 Image Renderer::draw(const Frame& frame, const ViewSettings& view) {
   return impl_->draw(frame, view);
+}
+Image Renderer::draw_live(const Frame& frame, const ViewSettings& view, const LiveLayer& layer) {
+  return impl_->draw_live(frame, view, layer);
+}
+const std::vector<PaneView>& Renderer::panes() const {
+  return impl_->live_panes;
+}
+const Rect& Renderer::panel() const {
+  return impl_->live_panel;
+}
+const gui::Fonts& Renderer::fonts() const {
+  return impl_->fonts;
 }
 const std::vector<TextBox>& Renderer::labels() const {
   return impl_->labels;

@@ -5,14 +5,17 @@
 #include "render/context/context.h"
 #include "render/frame.h"
 #include "render/gui/fonts.h"
+#include "render/gui/live_gui.h"
 #include "render/image.h"
 #include "render/shapes.h"
 #include "render/theme.h"
 #include "render/view_settings.h"
+#include "render/views/pane_view.h"
 #include "render/workers.h"
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,6 +43,15 @@ struct PanelArea {
 /// Dear ImGui frame, and must depend on its arguments only.
 using PanelBuilder = std::function<void(const Frame&, const ViewSettings&, PanelArea&)>;
 
+/// A person's share in a picture.
+struct LiveLayer {
+  gui::LiveGui& gui;
+  std::span<const gui::GuiEvent> events; ///< since the last picture
+  double seconds = 0;                    ///< since then
+  PanelBuilder panel;
+  std::function<void(gui::Ink&, const std::vector<PaneView>&)> over; ///< draws above everything
+};
+
 class Renderer {
 public:
   /// The context must be current, and stay with this thread while the renderer is used. An empty `panel` draws none.
@@ -48,6 +60,12 @@ public:
   ~Renderer();
   /// A pure function of its arguments: the same bytes whatever was drawn before.
   [[nodiscard]] Image draw(const Frame& frame, const ViewSettings& view);
+  /// The same with a panel that a person uses: what it shows depends on what was done before.
+  [[nodiscard]] Image draw_live(const Frame& frame, const ViewSettings& view, const LiveLayer& layer);
+  /// Where the panes of the last live picture are. They point into its frame.
+  [[nodiscard]] const std::vector<PaneView>& panes() const;
+  [[nodiscard]] const Rect& panel() const; ///< and its panel
+  [[nodiscard]] const gui::Fonts& fonts() const;
   /// Where the text of the last picture is.
   [[nodiscard]] const std::vector<TextBox>& labels() const;
   /// What a user should know about this machine (fonts that were not found); empty: nothing.

@@ -43,8 +43,18 @@ void ViewSettings::describe(ParameterVisitor& v) {
             .min = 0,
             .max = 0.6},
            plot_height);
+    v.real({.name = "time_axis",
+            .help = "Length of the plots' time axis, doubled when the run outlasts it; 0: as long as the run.",
+            .unit = "s",
+            .min = 0,
+            .max = 1e6},
+           time_axis);
     v.choice({.name = "ledger", .help = "A table beside each pane: what every stage of a step changed."}, ledger,
              ledgers);
+    v.flag({.name = "pointer", .help = "Draw the hand that moves the sliders of a timeline."}, pointer);
+    v.flag({.name = "steady",
+            .help = "The tank of 3D panes keeps its size while the camera turns; always so where keys turn it."},
+           steady);
   });
 }
 

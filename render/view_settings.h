@@ -30,7 +30,9 @@ struct ViewSettings {
   std::vector<std::string> panel; ///< parameter paths (or last parts) to show; empty: the teach-level ones that apply
   std::vector<std::string> plots{"kinetic", "potential", "total", "transfer_loss"};
   double plot_height = 0.24; ///< share of the frame; 0: no plots
+  double time_axis = 0;      ///< length of the plots' time axis (s), until the run outlasts it; 0: that of the run
   LedgerView ledger = LedgerView::off;
+  bool pointer = true, steady = false; ///< of a timeline: the hand on the sliders; the size of a tank that turns
 
   void describe(ParameterVisitor& v);
   /// What the simulation must publish for these settings.

@@ -6,6 +6,7 @@
 #include "sim/core/parallel.h"
 #include "sim/core/profile.h"
 #include "sim/files/particle_table.h"
+#include "sim/frame/interactions.h"
 #include "sim/frame/snapshot.h"
 
 #include <memory>
@@ -36,11 +37,22 @@ public:
   /// needs a restart.
   [[nodiscard]] virtual Refusal set(std::string_view path, const Value& value) = 0;
 
+  // === A hand in it
+  /// Between steps. Refuses what this solver or this scene has not.
+  [[nodiscard]] virtual Refusal interact(const Interaction&) {
+    return {"this solver's particles cannot be touched during a run", ""};
+  }
+
   // === Looking at it
   [[nodiscard]] virtual std::string title() const = 0; ///< "FLIP 0.97", from the scheme that runs
   [[nodiscard]] virtual std::size_t particles() const = 0;
   /// The state at this frame; also appends a row to the history.
   [[nodiscard]] virtual std::shared_ptr<const Snapshot> snapshot(std::uint64_t frame, const FrameRequest& request) = 0;
+  /// The state between frames: a snapshot without curves and ledger that leaves no trace in later ones. Null: this
+  /// solver has none.
+  [[nodiscard]] virtual std::shared_ptr<const Snapshot> peek(std::uint64_t, const FrameRequest&) const {
+    return nullptr;
+  }
   /// All that the particles hold, in the order of their ids and in world coordinates.
   [[nodiscard]] virtual ParticleTable particle_table() const = 0;
   /// From now on this gets the time that each part takes; null: nobody does. A simulation that does not tell its parts

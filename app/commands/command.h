@@ -76,6 +76,7 @@ inline constexpr const char* program_summary =
 
 std::unique_ptr<Command> make_render();
 std::unique_ptr<Command> make_compare();
+std::unique_ptr<Command> make_serve();
 std::unique_ptr<Command> make_still();
 std::unique_ptr<Command> make_verify();
 std::unique_ptr<Command> make_validate();

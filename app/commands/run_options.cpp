@@ -96,19 +96,40 @@ void report(const Summary& s) {
 
 } // namespace
 
-void RunOptions::describe(OptionVisitor& v, const std::string& outputs) {
+/// What changes the study.
+void RunOptions::describe_run(OptionVisitor& v) {
   v.texts("--set", sets_, {"PATH=VALUE", Argument::Kind::assignment},
           "Give a parameter a value (flipbook list parameters); may be repeated");
   v.text("--dim", dim_, one_of({"2", "3"}), "Dimension; one scene serves both");
   v.text("--cells", cells_, "N[xN[xN]]", "Cells along x; those along y and z follow, as cells are cubic, or are given");
-  v.text("--frames", frames_, "N", "Number of frames");
-  v.text("--duration", duration_, "S", "Seconds to simulate");
   v.text("--fps", fps_, "N", "Frames in a second of video");
   v.text("--size", size_, "WxH", "Width and height of a picture in pixels");
   v.text("--precision", precision_, one_of({"single", "double"}), "Numbers that the solvers compute with");
+}
+
+void RunOptions::describe_machine(OptionVisitor& v) {
   v.text("--threads", threads_, "N", "How many threads compute; the pictures do not depend on it");
   v.text("--gl", gl_, one_of({backends.begin(), backends.end()}),
          "What draws; auto if not given: the first that works");
+}
+
+void RunOptions::describe_live(OptionVisitor& v) {
+  describe_run(v);
+  describe_machine(v);
+  v.texts("-o,--output", outputs_, {"FOLDER", Argument::Kind::folder},
+          "Where recordings, snapshots and studies go (out if not given)");
+}
+
+std::string RunOptions::folder() const {
+  if (outputs_.size() > 1) throw UserError("-o: a live session has one folder");
+  return outputs_.empty() ? "out" : outputs_.front();
+}
+
+void RunOptions::describe(OptionVisitor& v, const std::string& outputs) {
+  describe_run(v);
+  v.text("--frames", frames_, "N", "Number of frames");
+  v.text("--duration", duration_, "S", "Seconds to simulate");
+  describe_machine(v);
   v.texts("-o,--output", outputs_, {outputs, Argument::Kind::file},
           (outputs.find(".mp4") != std::string::npos ? "A video" : "A single picture") +
               std::string(", or a folder for PNG pictures; may be repeated (out/ if not given)"));

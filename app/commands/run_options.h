@@ -20,8 +20,13 @@ public:
   /// `outputs` says what -o may be.
   void describe(OptionVisitor& v, const std::string& outputs = "X.mp4|FOLDER/");
 
+  /// Those of them that a live session has; -o is a folder.
+  void describe_live(OptionVisitor& v);
+  [[nodiscard]] std::string folder() const; ///< "out" if none was given
+
   /// The study with what the options change of it.
   [[nodiscard]] Study applied_to(Study study) const;
+  [[nodiscard]] SessionOptions session_options() const;
   /// Runs it as a video or frames.
   int make_video(Study study) const;
   /// The same as single pictures at the given times.
@@ -32,11 +37,13 @@ public:
   int draw_series(const std::string& folder, const std::vector<double>& times) const;
 
 private:
+  void describe_run(OptionVisitor& v);
+  void describe_machine(OptionVisitor& v);
+
   using MakeSchedule = std::function<Schedule(const Resolved&)>;
   using MakeSinks = std::function<std::vector<std::unique_ptr<Sink>>(const Resolved&, const std::string& toml)>;
   int run(Study study, const MakeSchedule& make_schedule, const MakeSinks& make_sinks, bool video) const;
   [[nodiscard]] std::vector<Assignment> changes() const;
-  [[nodiscard]] SessionOptions session_options() const;
   [[nodiscard]] std::unique_ptr<LedgerFile> ledger_file(const Resolved& resolved) const;
   [[nodiscard]] OpenedSeries opened(const std::string& folder) const;
   int draw(const OpenedSeries& series, const Schedule& schedule, std::vector<std::unique_ptr<Sink>> pictures) const;

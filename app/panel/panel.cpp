@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/panel/panel.h"
 
+#include "app/panel/words.h"
 #include "render/compose/titles.h"
 #include "render/gui/ink.h"
-#include "render/views/ticks.h"
 
 #include <imgui.h>
 
@@ -25,55 +25,13 @@ constexpr float padding = 14, line_height = 21, slider_height = 14, group_gap = 
 /// Rows move closer, down to this share, before any is left out.
 constexpr float tightest = 0.85F;
 
-/// "flip ratio" for "transfer.flip_ratio"; a very short name keeps its group: "walls x".
-std::string label_of(std::string_view path) {
-  std::size_t dot = path.rfind('.');
-  if (dot != std::string_view::npos && path.size() - dot - 1 <= 2) dot = dot == 0 ? dot : path.rfind('.', dot - 1);
-  std::string label(dot == std::string_view::npos ? path : path.substr(dot + 1));
-  for (char& c : label)
-    if (c == '_' || c == '.') c = ' ';
-  return label;
-}
-
-/// Three digits keep a moving value from growing and shrinking; large numbers are not cut.
-std::string value_of(double x) {
-  return render::number(x, std::abs(x) < 100 ? 3 : 6);
-}
-
-/// Numbers of a list; the third axis of a 2D run says nothing.
-std::string joined(const std::vector<double>& x, int dim, std::string_view between) {
-  const std::size_t n = x.size() == 3 ? static_cast<std::size_t>(dim) : x.size();
-  std::string out;
-  for (std::size_t i = 0; i < n; ++i) out.append(i == 0 ? "" : between).append(value_of(x[i]));
-  return out;
-}
-
-std::string value_text(const Parameter& p, int dim) {
-  std::string text;
-  if (const auto* flag = std::get_if<bool>(&p.value)) text = *flag ? "on" : "off";
-  if (const auto* x = std::get_if<double>(&p.value)) text = value_of(*x);
-  if (const auto* s = std::get_if<std::string>(&p.value)) text = *s;
-  if (const auto* list = std::get_if<std::vector<double>>(&p.value))
-    text = joined(*list, dim, p.kind == Kind::integers ? " × " : ", ");
-  if (const auto* list = std::get_if<std::vector<std::string>>(&p.value))
-    for (const std::string& s : *list) text += (text.empty() ? "" : ", ") + s;
-  return p.unit.empty() ? text : text + " " + render::unit_text(p.unit);
-}
-
-/// "0 PIC - 1 FLIP": what the ends of a slider mean, so that nobody has to remember which is which.
-std::string ends_of(const Parameter& p) {
-  if (p.at_min.empty() && p.at_max.empty()) return "";
-  return value_of(p.min) + " " + p.at_min + " – " + value_of(p.max) + " " + p.at_max;
-}
-
 enum class Look { slider, combo, check, text };
 
 Look look_of(const Parameter& p) {
   if (p.effect == Effect::restart) return Look::text; // nothing that a hand could move during the run
   if (p.kind == Kind::flag) return Look::check;
   if (p.kind == Kind::choice) return Look::combo;
-  const bool number = p.kind == Kind::real || p.kind == Kind::integer;
-  return number && std::isfinite(p.min) && std::isfinite(p.max) && p.max > p.min ? Look::slider : Look::text;
+  return has_slider(p) ? Look::slider : Look::text;
 }
 
 /// Lays the groups out from top to bottom; what does not fit even when closer together is left out.
@@ -241,10 +199,9 @@ private:
 
   /// A thin trough, filled up to a round handle; returns where the handle is.
   float slider(const Parameter& p, const Rect& box, Colour colour) {
-    const bool logarithmic = p.min > 0 && p.max / p.min >= 1e4;
-    const auto warp = [&](double x) { return logarithmic ? std::log10(x) : x; };
-    const double lo = warp(p.min), hi = warp(p.max);
-    double x = warp(std::clamp(std::get<double>(p.value), p.min, p.max));
+    const SliderScale scale(p);
+    const double lo = scale.lo(), hi = scale.hi();
+    double x = scale.warp(std::clamp(std::get<double>(p.value), p.min, p.max));
     const auto share = static_cast<float>((x - lo) / (hi - lo));
     // Dear ImGui insets the handle by two pixels at either end.
     const float handle = std::max(4.F, box.h - 4), from = box.x + 2 + handle / 2, to = box.right() - 2 - handle / 2;

@@ -2,7 +2,9 @@
 #include "app/session/driver.h"
 
 #include "app/series/playback.h"
+#include "app/session/apply_command.h"
 #include "app/session/queue.h"
+#include "app/study/paths.h"
 #include "sim/frame/errors.h"
 
 #include <optional>
@@ -22,6 +24,12 @@ private:
   std::string text_;
 };
 
+void must(const Command& command, const Refusal& refusal, const char* who) {
+  if (refusal.message.empty()) return;
+  const auto* change = std::get_if<SetParameter>(&command.action);
+  throw UserError(who + (change ? change->path + ": " : std::string()) + refusal.message, {}, refusal.nearest);
+}
+
 } // namespace
 
 std::size_t Bundle::bytes() const {
@@ -32,7 +40,7 @@ std::size_t Bundle::bytes() const {
 
 Driver::Driver(const Resolved& resolved, const Schedule& schedule, Budget& budget, Exchange<Bundle>& out,
                std::function<bool()> stop, SeriesWriter* particles, LedgerFile* ledger)
-    : resolved_(resolved), request_(resolved.request()),
+    : resolved_(resolved), view_(resolved),
       commands_(resolved.timeline.commands(resolved.output.fps, resolved.scale, schedule.boundaries())),
       schedule_(schedule), budget_(budget), out_(out), stop_(std::move(stop)), particles_(particles), ledger_(ledger) {}
 
@@ -50,8 +58,9 @@ void Driver::drive() {
     if (stop->boundary) apply_commands(stop->frame);
     Bundle bundle = look(pool, *stop);
     if (ledger_) ledger_->write(bundle.stop, bundle.snapshots);
+    if (stop->shown && particles_) write_particles(pool, bundle);
+    if (stop->boundary) apply_edits(stop->frame);
     if (!stop->shown) continue;
-    if (particles_) write_particles(pool, bundle);
     permit.reset(); // the queue may be full, and whoever empties it needs the permit
     const std::size_t charge = queue_charge(bundle.bytes(), bundle_queue_bytes);
     if (!out_.put(std::move(bundle), charge)) break;
@@ -79,26 +88,26 @@ void Driver::make_variants(Pool& pool) {
 
 void Driver::apply_commands(std::uint64_t frame) {
   for (; next_command_ < commands_.size() && commands_[next_command_].frame <= frame; ++next_command_)
-    apply(commands_[next_command_]);
+    must(commands_[next_command_], apply_command(commands_[next_command_], *variants_), "timeline: ");
 }
 
-void Driver::apply(const Command& command) {
-  const auto& [path, value] = std::get<SetParameter>(command.action);
-  const auto check = [&path = path](const Refusal& refusal) {
-    if (!refusal.message.empty()) throw UserError("timeline: " + path + ": " + refusal.message, {}, refusal.nearest);
-  };
-  if (command.variant >= 0) return check((*variants_)[static_cast<std::size_t>(command.variant)].set(path, value));
-  for (std::size_t i = 0; i < variants_->size(); ++i) {
-    for (const Parameter& p : (*variants_)[i].parameters())
-      if (p.path == path && p.applies) check((*variants_)[i].set(path, value));
+void Driver::apply_edits(std::uint64_t frame) {
+  const CommandLog& edits = resolved_.edits;
+  for (; next_edit_ < edits.size() && edits[next_edit_].frame <= frame; ++next_edit_) {
+    const Command& edit = edits[next_edit_];
+    const auto* change = std::get_if<SetParameter>(&edit.action);
+    if (change && is_view(change->path))
+      view_.set(*change, resolved_.time_of(edit.frame));
+    else
+      must(edit, apply_command(edit, *variants_), "an edit: ");
   }
 }
 
 Bundle Driver::look(Pool& pool, const Stop& at) {
-  Bundle bundle{at, std::vector<std::shared_ptr<const Snapshot>>(variants_->size())};
+  Bundle bundle{at, std::vector<std::shared_ptr<const Snapshot>>(variants_->size()), view_.at(at.time)};
   pool.each(static_cast<int>(variants_->size()), [&](int i) {
     const auto v = static_cast<std::size_t>(i);
-    bundle.snapshots[v] = (*variants_)[v].snapshot(at.frame, request_);
+    bundle.snapshots[v] = (*variants_)[v].snapshot(at.frame, view_.request());
   });
   return bundle;
 }

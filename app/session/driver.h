@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/series/series_writer.h"
+#include "app/session/edited_view.h"
 #include "app/session/ledger_file.h"
 #include "app/session/schedule.h"
 #include "app/session/stepper.h"
@@ -22,6 +23,7 @@ namespace flipbook::app {
 struct Bundle {
   Stop stop;
   std::vector<std::shared_ptr<const Snapshot>> snapshots;
+  render::ViewSettings view{}; ///< how they are to be seen
   [[nodiscard]] std::size_t bytes() const;
 };
 
@@ -42,12 +44,12 @@ public:
 private:
   void make_variants(Pool& pool);
   void apply_commands(std::uint64_t frame);
-  void apply(const Command& command);
+  void apply_edits(std::uint64_t frame);
   [[nodiscard]] Bundle look(Pool& pool, const Stop& at);
   void write_particles(Pool& pool, const Bundle& bundle);
 
   const Resolved& resolved_;
-  const FrameRequest request_;
+  EditedView view_;
   const CommandLog commands_;
   Schedule schedule_;
   Budget& budget_;
@@ -56,7 +58,7 @@ private:
   SeriesWriter* particles_;
   LedgerFile* ledger_;
   std::unique_ptr<Stepper> variants_;
-  std::size_t next_command_ = 0;
+  std::size_t next_command_ = 0, next_edit_ = 0;
   std::vector<Profile>* profiles_ = nullptr; ///< null in a normal run
   std::atomic<std::uint64_t> particle_steps_{0};
 };

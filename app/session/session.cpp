@@ -2,18 +2,16 @@
 #include "app/session/session.h"
 
 #include "app/panel/panel.h"
-#include "app/series/playback.h"
+#include "app/session/compose.h"
 #include "app/session/driver.h"
 #include "app/session/failure.h"
 #include "app/session/identical.h"
 #include "app/session/progress.h"
 #include "app/session/sink_thread.h"
-#include "app/study/titles.h"
 #include "render/renderer.h"
 
 #include <algorithm>
 #include <chrono>
-#include <span>
 #include <thread>
 
 namespace flipbook::app {
@@ -22,30 +20,6 @@ namespace {
 
 int thread_count(int asked) {
   return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
-
-/// What a pane with a mistake on purpose says, simulated now or earlier; empty in a normal run.
-std::string mistake_in(const Resolved& resolved) {
-  for (const ResolvedVariant& v : resolved.variants) {
-    if (v.mistake) return v.mistake->watermark;
-    if (v.recording && !v.recording->variant.watermark.empty()) return v.recording->variant.watermark;
-  }
-  return "";
-}
-
-/// What all pictures of the run say.
-std::shared_ptr<const RunProvenance> describe_run(const Resolved& resolved, const std::string& study) {
-  auto run = std::make_shared<RunProvenance>();
-  run->study = study;
-  run->mistake = mistake_in(resolved);
-  const auto seed = [](const ResolvedVariant& v) { return v.scene.settings.seeding.seed; };
-  const auto& all = resolved.variants;
-  const auto unknown = [](const ResolvedVariant& v) { return v.recording && v.recording->variant.parameters.empty(); };
-  if (std::any_of(all.begin(), all.end(), unknown)) return run; // particles of another program
-  const bool same = std::all_of(all.begin(), all.end(), [&](auto& v) { return seed(v) == seed(all.front()); });
-  for (const ResolvedVariant& v : std::span(all).first(same ? 1 : all.size()))
-    run->seeds += (run->seeds.empty() ? "" : ", ") + std::to_string(seed(v));
-  return run;
 }
 
 class Session {
@@ -111,7 +85,7 @@ private:
     Progress progress(pictures_, options_.quiet);
     while (const auto bundle = exchange_.take()) {
       if (must_stop()) break;
-      summarise(*bundle, compose(*bundle));
+      summarise(*bundle, compose(resolved_, *bundle, identical_.warnings(bundle->snapshots)));
       progress.update(summary_.pictures, driver_.particle_steps());
     }
     exchange_.close();
@@ -129,34 +103,16 @@ private:
   }
 
   void draw(const Bundle& bundle, render::Renderer& renderer) {
-    const render::Frame frame = compose(bundle);
+    const render::Frame frame = compose(resolved_, bundle, identical_.warnings(bundle.snapshots));
     auto picture = std::make_shared<Picture>();
-    picture->provenance = {provenance_, bundle.stop.frame, bundle.stop.time, {}};
-    for (const render::Pane& pane : frame.panes)
-      picture->provenance.variants += (&pane == frame.panes.data() ? "" : "\n") + pane.title;
+    picture->provenance = provenance_of(provenance_, bundle.stop, frame);
     {
       const Budget::Permit permit(budget_, true);
       const Timed drawing(options_.profile ? &options_.profile->draw : nullptr, Phase::draw);
-      picture->image = renderer.draw(frame, resolved_.timeline.view(bundle.stop.time, resolved_.view));
+      picture->image = renderer.draw(frame, bundle.view);
     }
     for (auto& s : sinks_) s->put(picture);
     summarise(bundle, frame);
-  }
-
-  [[nodiscard]] render::Frame compose(const Bundle& bundle) {
-    render::Frame frame;
-    frame.title = resolved_.title;
-    frame.time = bundle.stop.time;
-    frame.duration = resolved_.duration;
-    std::vector<TitledPane> panes;
-    for (std::size_t i = 0; i < bundle.snapshots.size(); ++i)
-      panes.push_back({resolved_.variants[i].label, bundle.snapshots[i]->title, bundle.snapshots[i]->parameters});
-    const std::vector<std::string> titles = pane_titles(panes);
-    for (std::size_t i = 0; i < titles.size(); ++i) frame.panes.push_back({titles[i], bundle.snapshots[i]});
-    frame.pointer = resolved_.timeline.pointer_targets(bundle.stop.time, resolved_.scale);
-    frame.turning = resolved_.timeline.moves("view.azimuth") || resolved_.timeline.moves("view.elevation");
-    frame.warnings = identical_.warnings(bundle.snapshots);
-    return frame;
   }
 
   void summarise(const Bundle& bundle, const render::Frame& frame) {

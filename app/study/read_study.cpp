@@ -139,7 +139,8 @@ Study from_tree(const Node& root, const std::string& file) {
   read_scene_of(root, study, file, mistakes);
   read_variants(root, study, mistakes);
   for (const Node* node : tables(root.find("key"), "key", mistakes)) read_key(*node, study, mistakes);
-  for (Assignment& a : parameters(root, {"title", "scene", "variant", "key"}, mistakes)) {
+  for (const Node* node : tables(root.find("edit"), "edit", mistakes)) read_edit(*node, study.edits, mistakes);
+  for (Assignment& a : parameters(root, {"title", "scene", "variant", "key", "edit"}, mistakes)) {
     (is_view(a.path) ? study.view : is_output(a.path) ? study.output : study.parameters).push_back(std::move(a));
   }
   mistakes.raise();

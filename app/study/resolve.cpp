@@ -18,7 +18,7 @@ template <Described T> void apply_to(T& component, std::span<const Assignment> a
       mistakes.add(r.message, a.where, r.nearest);
 }
 
-const std::vector<std::string> keys_of_a_study{"title", "scene", "variant", "key"}, keys_of_a_variant{"label"};
+const std::vector<std::string> keys_of_a_study{"title", "scene", "variant", "key", "edit"}, keys_of_a_variant{"label"};
 
 using CheckPath = Refusal (*)(const std::string&, std::span<const std::string>);
 
@@ -120,6 +120,54 @@ void resolve_length(const Scene& scene, double notes, Resolved& r) {
   r.duration = r.time_of(r.frames);
 }
 
+/// The variants and the view as the edits before the present one left them.
+struct Edited {
+  std::vector<Settings> settings;
+  render::ViewSettings view;
+
+  /// Makes the change; the mistake in it, or an empty message.
+  Refusal set(const Edit& edit, const SetParameter& change) {
+    if (is_output(change.path)) return {change.path + " holds for the whole run: an edit cannot change it", ""};
+    if (is_view(change.path)) {
+      if (edit.pane > 0) return {"the panes share the view: an edit of " + change.path + " cannot name a pane", ""};
+      if (Refusal r = set_parameter(view, change.path, change.value); !r.message.empty()) return r;
+      ViewMistake m = check_view(view);
+      return m.path == change.path ? m.refusal : Refusal{};
+    }
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+      if (edit.pane > 0 && static_cast<std::size_t>(edit.pane) != i + 1) continue;
+      if (Refusal r = set_live(settings[i], change); !r.message.empty()) return r;
+    }
+    return {};
+  }
+
+private:
+  static Refusal set_live(Settings& settings, const SetParameter& change) {
+    for (const Parameter& p : parameters_of(settings))
+      if (p.path == change.path && p.effect == Effect::restart) return {p.path + " cannot change during a run", ""};
+    return set_parameter(settings, change.path, change.value);
+  }
+};
+
+void resolve_edits(const Study& study, Resolved& resolved, Mistakes& mistakes) {
+  static const std::vector<std::string> own{"t", "pane", "push", "add", "remove", "move"};
+  Edited now{{}, resolved.view};
+  for (const ResolvedVariant& v : resolved.variants) now.settings.push_back(v.scene.settings);
+  for (const Edit& edit : study.edits) {
+    Refusal refusal;
+    if (const auto* change = std::get_if<SetParameter>(&edit.action)) {
+      refusal = check_path(change->path, own);
+      if (refusal.message.empty()) refusal = now.set(edit, *change);
+    }
+    if (static_cast<std::size_t>(edit.pane) > resolved.variants.size())
+      refusal = {"there is no pane " + std::to_string(edit.pane) + ": the study has " +
+                     std::to_string(resolved.variants.size()),
+                 ""};
+    if (!refusal.message.empty()) mistakes.add(refusal.message, edit.where, refusal.nearest);
+    resolved.edits.push_back({frame_at(resolved, edit.t), edit.pane - 1, edit.action});
+  }
+}
+
 std::string counted(std::size_t n, const std::string& one, const std::string& many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
@@ -132,6 +180,13 @@ void change_view(render::ViewSettings& view, std::span<const Assignment> changes
   apply_to(view, changes, mistakes);
   const bool ranged = std::any_of(changes.begin(), changes.end(), [](auto& a) { return a.path == "view.range"; });
   if (!ranged && view.colour == colour_before) view.range = range_before;
+}
+
+std::uint64_t frame_at(const Resolved& resolved, double time) {
+  auto k = static_cast<std::uint64_t>(std::max(0.0, std::floor(time / resolved.scale * resolved.output.fps)));
+  while (k > 0 && resolved.time_of(k - 1) >= time) --k; // but for rounding
+  while (resolved.time_of(k) < time) ++k;
+  return k;
 }
 
 Resolved resolve(const Study& study) {
@@ -153,6 +208,8 @@ Resolved resolve(const Study& study) {
   mistakes.raise();
 
   resolve_length(scene, notes, resolved);
+  resolve_edits(study, resolved, mistakes);
+  mistakes.raise();
   return resolved;
 }
 

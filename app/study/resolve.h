@@ -36,6 +36,7 @@ struct Resolved {
   std::uint64_t frames = 1; ///< of a video
   double duration = 0;      ///< seconds simulated in them
   Timeline timeline;
+  CommandLog edits; ///< made by hand: each acts after the picture of its frame; those on the view too
 
   [[nodiscard]] double time_of(std::uint64_t frame) const { return static_cast<double>(frame) * scale / output.fps; }
   /// What the pictures need of the simulations, over the whole run.
@@ -45,6 +46,9 @@ struct Resolved {
 
 /// Gives a view other values. Its range belongs to the quantity that it shows: another quantity does not inherit it.
 void change_view(render::ViewSettings& view, std::span<const Assignment> changes, Mistakes& mistakes);
+
+/// The first frame that is not before a time.
+[[nodiscard]] std::uint64_t frame_at(const Resolved& resolved, double time);
 
 /// Throws one UserError of all mistakes.
 [[nodiscard]] Resolved resolve(const Study& study);

@@ -3,6 +3,7 @@
 // assets/studies/annotated.toml documents every key.
 #pragma once
 
+#include "app/study/edits.h"
 #include "sim/museum/museum.h"
 #include "sim/scene/read_scene.h"
 
@@ -43,6 +44,7 @@ struct Study {
   std::vector<Assignment> view, output;
   std::vector<Variant> variants;
   std::vector<Key> keys;   ///< in time order
+  std::vector<Edit> edits; ///< by hand, in order
   bool overridden = false; ///< the command line changed what the keys were written for: those without use are left out
 };
 

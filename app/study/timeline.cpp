@@ -187,6 +187,16 @@ bool Timeline::moves(const std::string& path) const {
   return std::any_of(tracks_.begin(), tracks_.end(), [&](const Track& t) { return t.path == path; });
 }
 
+void merge(FrameRequest& request, const FrameRequest& other) {
+  for (const std::string& name : other.channels)
+    if (std::find(request.channels.begin(), request.channels.end(), name) == request.channels.end())
+      request.channels.push_back(name);
+  request.faces = request.faces || other.faces;
+  request.phi = request.phi || other.phi;
+  request.pressure = request.pressure || other.pressure;
+  request.noise = request.noise || other.noise;
+}
+
 FrameRequest Timeline::request(const render::ViewSettings& initial) const {
   FrameRequest all = initial.request();
   // What is published depends on choices and flags, and those only change where a move begins or ends.
@@ -194,14 +204,7 @@ FrameRequest Timeline::request(const render::ViewSettings& initial) const {
     for (const Segment& s : t.segments)
       for (const double time : {s.t, s.t + s.over}) {
         if (t.variant != whole_view) continue;
-        const FrameRequest one = view(time, initial).request();
-        for (const std::string& name : one.channels)
-          if (std::find(all.channels.begin(), all.channels.end(), name) == all.channels.end())
-            all.channels.push_back(name);
-        all.faces = all.faces || one.faces;
-        all.phi = all.phi || one.phi;
-        all.pressure = all.pressure || one.pressure;
-        all.noise = all.noise || one.noise;
+        merge(all, view(time, initial).request());
       }
   return all;
 }

@@ -25,6 +25,9 @@ struct KeyTarget {
   [[nodiscard]] bool is_called(const std::string& name) const;
 };
 
+/// Asks for what another request asks for, too.
+void merge(FrameRequest& request, const FrameRequest& other);
+
 class Timeline {
 public:
   Timeline() = default;

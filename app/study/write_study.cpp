@@ -110,6 +110,7 @@ std::string to_toml(const Study& study) {
     text += lines(v.parameters, Settings());
   }
   for (const Key& key : study.keys) text += key_text(key);
+  for (const Edit& edit : study.edits) text += to_toml(edit);
   return text;
 }
 

@@ -1,45 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "render/gui/session.h"
 
+#include "render/gui/style.h"
+
 #include <imgui.h>
 
 #include <cfloat>
 
 namespace flipbook::render::gui {
-namespace {
 
 std::mutex& imgui_mutex() {
   static std::mutex mutex;
   return mutex;
 }
-
-ImVec4 vec(Colour c) {
-  return ImGui::ColorConvertU32ToFloat4(c.packed());
-}
-
-void apply_style(const Palette& p, float scale) {
-  ImGuiStyle& s = ImGui::GetStyle();
-  s.WindowPadding = {0, 0};
-  s.WindowBorderSize = 0;
-  s.FramePadding = {8, 2};
-  s.FrameRounding = 4;
-  s.GrabRounding = 12;
-  s.GrabMinSize = 12;
-  s.ItemSpacing = {8, 4};
-  s.ScaleAllSizes(scale);
-  s.FrameBorderSize = 0;
-  s.WindowMinSize = {1, 1};
-  s.Colors[ImGuiCol_WindowBg] = vec(p.page);
-  s.Colors[ImGuiCol_Text] = vec(p.text);
-  s.Colors[ImGuiCol_TextDisabled] = vec(p.muted);
-  s.Colors[ImGuiCol_FrameBg] = s.Colors[ImGuiCol_FrameBgHovered] = s.Colors[ImGuiCol_FrameBgActive] = vec(p.track);
-  s.Colors[ImGuiCol_Button] = s.Colors[ImGuiCol_ButtonHovered] = s.Colors[ImGuiCol_ButtonActive] = vec(p.track);
-  s.Colors[ImGuiCol_SliderGrab] = s.Colors[ImGuiCol_SliderGrabActive] = vec(p.grip);
-  s.Colors[ImGuiCol_CheckMark] = vec(p.text);
-  s.Colors[ImGuiCol_Separator] = vec(p.line);
-}
-
-} // namespace
 
 Session::Session(const Fonts& fonts, int width, int height, const Palette& palette)
     : fonts_(&fonts), lock_(imgui_mutex()), context_(ImGui::CreateContext(&fonts.atlas())) {
@@ -84,9 +57,13 @@ const ImDrawData& Session::data() const {
 }
 
 std::unique_ptr<ImDrawList> Session::list() const {
+  return drawing_list(*fonts_);
+}
+
+std::unique_ptr<ImDrawList> drawing_list(const Fonts& fonts) {
   auto list = std::make_unique<ImDrawList>(ImGui::GetDrawListSharedData());
   list->_ResetForNewFrame();
-  list->PushTextureID(fonts_->atlas().TexID);
+  list->PushTextureID(fonts.atlas().TexID);
   list->PushClipRect({0, 0}, {ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y});
   return list;
 }

@@ -24,6 +24,12 @@ struct Hand {
   bool pressed = false;
 };
 
+/// Dear ImGui has one current context in a process: whoever has one holds this.
+[[nodiscard]] std::mutex& imgui_mutex();
+
+/// A list of the current context to draw on with Ink, apart from the widgets.
+[[nodiscard]] std::unique_ptr<ImDrawList> drawing_list(const Fonts& fonts);
+
 class Session {
 public:
   Session(const Fonts& fonts, int width, int height, const Palette& palette);
@@ -39,7 +45,7 @@ public:
 
 private:
   const Fonts* fonts_;
-  std::unique_lock<std::mutex> lock_; ///< Dear ImGui has one current context in a process
+  std::unique_lock<std::mutex> lock_;
   ImGuiContext* context_;
 };
 

@@ -31,11 +31,18 @@ public:
   [[nodiscard]] std::vector<Parameter> parameters() const override;
   [[nodiscard]] Refusal set(std::string_view path, const Value& value) override;
 
+  /// See interact.cpp. What changes in the particles is booked to the forces.
+  [[nodiscard]] Refusal interact(const Interaction& action) override;
+
   [[nodiscard]] std::string title() const override { return state_.settings.transfer.title(); }
   [[nodiscard]] std::size_t particles() const override { return state_.particles.size(); }
   [[nodiscard]] std::shared_ptr<const Snapshot> snapshot(std::uint64_t frame, const FrameRequest& request) override {
     const Timed timed(profile_, Phase::snapshot);
     return recorder_.snapshot(state_, ledger_ ? &*ledger_ : nullptr, frame, request, pool_);
+  }
+  [[nodiscard]] std::shared_ptr<const Snapshot> peek(std::uint64_t frame, const FrameRequest& request) const override {
+    Recorder<Dim, Real> recorder = recorder_;
+    return recorder.snapshot(state_, nullptr, frame, request, pool_);
   }
   [[nodiscard]] ParticleTable particle_table() const override {
     return flipbook::particle_table(state_.particles, state_.settings.grid.origin);
@@ -73,6 +80,10 @@ private:
   /// blend = a u + b other.
   void combine(Real a, Real b, const Components<Dim, Real>& other);
   void gather_affine_state();
+  [[nodiscard]] Refusal act(const Push& push);
+  [[nodiscard]] Refusal act(const AddParticles& add);
+  [[nodiscard]] Refusal act(const RemoveParticles& remove);
+  [[nodiscard]] Refusal act(const MoveSolid& move);
   void count_solve() const; ///< for the profile
 
   Pool& pool_;

@@ -20,7 +20,13 @@ std::string solver_name(const Settings& s) {
 } // namespace
 
 template <int Dim, class Real> Recorder<Dim, Real>::Recorder(const Particles<Dim, Real>& seeded) {
+  follow(seeded);
+}
+
+template <int Dim, class Real> void Recorder<Dim, Real>::follow(const Particles<Dim, Real>& seeded) {
+  const std::size_t known = initial_.size();
   for (std::size_t p = 0; p < seeded.size(); ++p) {
+    if (seeded.id[p] < known) continue;
     if (initial_.size() <= seeded.id[p]) initial_.resize(seeded.id[p] + std::size_t{1});
     for (std::size_t d = 0; d < Dim; ++d) initial_[seeded.id[p]][d] = static_cast<float>(seeded.x[d][p]);
   }

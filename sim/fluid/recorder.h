@@ -16,6 +16,11 @@ public:
   /// Remembers where each particle starts, by id: ids must be smaller than a few times their number.
   explicit Recorder(const Particles<Dim, Real>& seeded);
 
+  /// Remembers where particles start that have come in since.
+  void follow(const Particles<Dim, Real>& particles);
+  /// An id that no particle ever had.
+  [[nodiscard]] std::uint32_t next_id() const { return static_cast<std::uint32_t>(initial_.size()); }
+
   /// Without a ledger there are no curves either.
   [[nodiscard]] std::shared_ptr<const Snapshot> snapshot(const FluidState<Dim, Real>& state,
                                                          FluidLedger<Dim, Real>* ledger, std::uint64_t frame,

@@ -93,6 +93,7 @@ template <int Dim, class Real> void Solids<Dim, Real>::place(double t, Walls<Dim
       measure(standing_[k], static_cast<std::uint16_t>(k), phi, owner, pool);
   };
   if (!placed_) {
+    standing_.clear();
     for (auto& bytes : walls.buried) bytes.assign(all, 0);
     change_.resize(grid_);
     near_.assign(all, 0);

@@ -11,6 +11,7 @@
 // velocity that particles gave them and the change of velocity outside, then u.n = U.n (free slip), or u = U (no slip).
 #pragma once
 
+#include "sim/boundary/dragged_motion.h"
 #include "sim/boundary/images.h"
 #include "sim/boundary/obstacle.h"
 #include "sim/fluid/cells.h"
@@ -46,6 +47,10 @@ public:
   /// The longest step from t on in which no solid moves by more than `cells` cells or turns far; at most `dt`. Throws
   /// UserError, naming the obstacle, where no step is short enough.
   [[nodiscard]] double max_dt(double t, double cells, double dt, const Walls<Dim, Real>& walls) const;
+
+  /// From time t on an obstacle moves by `by` (m) within `over` seconds, on top of what it does by itself. One that
+  /// stood still has to be placed again.
+  void drag(std::size_t obstacle, double t, const Point& by, double over);
 
   /// Signed distance at the nodes, up to 4 dx exact outside; pads filled.
   [[nodiscard]] const Field<Real>& distance() const { return phi_; }
@@ -110,9 +115,10 @@ private:
   Domain domain_;
   std::vector<Obstacle> obstacles_;
   bool moving_ = false, placed_ = false;
-  std::vector<RigidVelocity> velocity_; ///< of each obstacle, as last given
-  std::vector<Standing> standing_;      ///< those at rest first
-  std::size_t at_rest_ = 0;             ///< how many of them
+  std::vector<std::shared_ptr<DraggedMotion>> dragged_; ///< of each obstacle; null: no hand was at it
+  std::vector<RigidVelocity> velocity_;                 ///< of each obstacle, as last given
+  std::vector<Standing> standing_;                      ///< those at rest first
+  std::size_t at_rest_ = 0;                             ///< how many of them
 
   Field<Real> phi_, phi_rest_;                    ///< at the nodes; of those at rest
   std::vector<std::uint16_t> owner_, owner_rest_; ///< which one is nearest

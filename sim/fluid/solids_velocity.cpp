@@ -237,10 +237,26 @@ typename Solids<Dim, Real>::Hold Solids<Dim, Real>::hold_on_node(const Index<Dim
   return hold;
 }
 
+// === By hand
+
+template <int Dim, class Real>
+void Solids<Dim, Real>::drag(std::size_t obstacle, double t, const Point& by, double over) {
+  dragged_.resize(obstacles_.size());
+  auto& motion = dragged_[obstacle];
+  if (!motion) {
+    placed_ = placed_ && obstacles_[obstacle].motion != nullptr; // it leaves those at rest
+    motion = std::make_shared<DraggedMotion>(obstacles_[obstacle].motion);
+    obstacles_[obstacle].motion = motion;
+    moving_ = true;
+  }
+  motion->drag(t, by, over);
+}
+
 #define FLIPBOOK_SOLIDS(Dim, Real)                                                                                     \
   template Point Solids<Dim, Real>::velocity(const Standing&, const Point&) const;                                     \
   template Solids<Dim, Real>::Hold Solids<Dim, Real>::hold_on_node(const Index<Dim>&) const;                           \
   template void Solids<Dim, Real>::give_velocity(double, double, Walls<Dim, Real>&, Pool&);                            \
+  template void Solids<Dim, Real>::drag(std::size_t, double, const Point&, double);                                    \
   template double Solids<Dim, Real>::max_dt(double, double, double, const Walls<Dim, Real>&) const;                    \
   template void Solids<Dim, Real>::before_projection(const Components<Dim, Real>&);                                    \
   template void Solids<Dim, Real>::carry_change(const Walls<Dim, Real>&, const Cells<Dim, Real>&,                      \

@@ -3,6 +3,7 @@
 // a command takes effect at a frame boundary, before the steps that lead to the next frame.
 #pragma once
 
+#include "sim/frame/interactions.h"
 #include "sim/frame/parameters.h"
 
 #include <cstdint>
@@ -18,10 +19,12 @@ struct SetParameter {
   Value value;
 };
 
+using CommandAction = std::variant<SetParameter, Interaction>;
+
 struct Command {
   std::uint64_t frame = 0; ///< applied when the run stands at this frame
-  int variant = -1;        ///< which pane; -1: every pane that has the parameter
-  std::variant<SetParameter> action;
+  int variant = -1;        ///< which pane; -1: every pane (that has the parameter)
+  CommandAction action;
 };
 
 using CommandLog = std::vector<Command>; ///< sorted by frame; commands of one frame in order

@@ -108,12 +108,18 @@ template <int Dim, class Real> std::vector<std::string> warnings(const MpmState<
 }
 
 template <int Dim, class Real> MpmRecorder<Dim, Real>::MpmRecorder(const MpmState<Dim, Real>& s, Pool&) {
-  const auto& particles = s.particles;
+  follow(s.particles);
+  start_.spokes = spokes(s.grid, s.periodic(), s.particles, s.material);
+}
+
+template <int Dim, class Real> void MpmRecorder<Dim, Real>::follow(const Particles<Dim, Real>& particles) {
+  const std::size_t known = start_.x.size();
   for (std::size_t p = 0; p < particles.size(); ++p) {
+    if (particles.id[p] < known) continue;
     if (start_.x.size() <= particles.id[p]) start_.x.resize(particles.id[p] + std::size_t{1});
     for (std::size_t d = 0; d < Dim; ++d) start_.x[particles.id[p]][d] = static_cast<float>(particles.x[d][p]);
   }
-  start_.spokes = spokes(s.grid, s.periodic(), particles, s.material);
+  if (!start_.spokes.empty()) start_.spokes.resize(start_.x.size(), 0.5F);
 }
 
 template <int Dim, class Real>

@@ -28,6 +28,11 @@ public:
   /// Remembers where each particle starts, by id: ids must be smaller than a few times their number.
   MpmRecorder(const MpmState<Dim, Real>& start, Pool& pool);
 
+  /// Remembers where particles start that have come in since; they have no spokes.
+  void follow(const Particles<Dim, Real>& particles);
+  /// An id that no particle ever had.
+  [[nodiscard]] std::uint32_t next_id() const { return static_cast<std::uint32_t>(start_.x.size()); }
+
   /// Without a ledger there are no curves either.
   [[nodiscard]] std::shared_ptr<const Snapshot> snapshot(const MpmState<Dim, Real>& state, MpmLedger<Dim, Real>* ledger,
                                                          std::uint64_t frame, const FrameRequest& request, Pool& pool);

@@ -39,11 +39,19 @@ public:
   /// Parameters of the scene's own material may change in mid-run: its particles keep their deformation.
   [[nodiscard]] Refusal set(std::string_view path, const Value& value) override;
 
+  /// See interact.cpp. Added particles are of the material that is nearest. What changes in the particles is booked to
+  /// the forces.
+  [[nodiscard]] Refusal interact(const Interaction& action) override;
+
   [[nodiscard]] std::string title() const override { return state_.settings.transfer.title(); }
   [[nodiscard]] std::size_t particles() const override { return state_.particles.size(); }
   [[nodiscard]] std::shared_ptr<const Snapshot> snapshot(std::uint64_t frame, const FrameRequest& request) override {
     const Timed timed(profile_, Phase::snapshot);
     return recorder_.snapshot(state_, ledger_ ? &*ledger_ : nullptr, frame, request, pool_);
+  }
+  [[nodiscard]] std::shared_ptr<const Snapshot> peek(std::uint64_t frame, const FrameRequest& request) const override {
+    MpmRecorder<Dim, Real> recorder = recorder_;
+    return recorder.snapshot(state_, nullptr, frame, request, pool_);
   }
   [[nodiscard]] ParticleTable particle_table() const override {
     return flipbook::particle_table(state_.particles, state_.settings.grid.origin, Carried<Dim>::names());
@@ -73,6 +81,11 @@ private:
   /// body() as that stage; then the ledger looks at what has changed.
   template <class Body> void during(MpmStage stage, Phase phase, Body&& body);
   void gather_affine_state();
+  [[nodiscard]] Refusal act(const Push& push);
+  [[nodiscard]] Refusal act(const AddParticles& add);
+  [[nodiscard]] Refusal act(const RemoveParticles& remove);
+  [[nodiscard]] Refusal act(const MoveSolid& move);
+  void follow_particles(); ///< after some have come or gone
   [[nodiscard]] Through through() const {
     return state_.settings.mpm.forces == Forces::mls ? Through::affine : Through::gradient;
   }

@@ -27,27 +27,12 @@ public:
     Index<Dim> cell = Index<Dim>::Zero();
     const auto cells = static_cast<std::uint64_t>(grid_.cells.template cast<std::int64_t>().prod());
     for (std::uint64_t c = 0; c < cells; ++c) {
-      for (std::uint64_t k = 0; k < per_cell_; ++k) visit(place(cell, c, k));
+      for (std::uint64_t k = 0; k < per_cell_; ++k) visit(seed_place(seeding_, grid_, cell, k));
       for (int d = 0; d < Dim && ++cell[d] == grid_.cells[d]; ++d) cell[d] = 0;
     }
   }
 
 private:
-  [[nodiscard]] Point place(const Index<Dim>& cell, std::uint64_t c, std::uint64_t k) const {
-    const auto n = static_cast<std::uint64_t>(seeding_.per_axis);
-    Point p{0, 0, 0};
-    std::uint64_t rest = k;
-    for (int d = 0; d < Dim; ++d) {
-      const auto sub = static_cast<double>(rest % n);
-      rest /= n;
-      const bool regular = seeding_.pattern == Pattern::regular;
-      const double in_sub =
-          regular ? 0.5 : uniform(static_cast<std::uint64_t>(seeding_.seed), c, Dim * k + static_cast<unsigned>(d));
-      p[static_cast<std::size_t>(d)] = grid_.dx * (cell[d] + (sub + in_sub) / seeding_.per_axis);
-    }
-    return p;
-  }
-
   const SeedingSettings& seeding_;
   const Grid<Dim>& grid_;
   std::uint64_t per_cell_ = 1;
@@ -105,6 +90,26 @@ std::uint64_t rows_of(const Scene& scene) {
 }
 
 } // namespace
+
+template <int Dim>
+Point seed_place(const SeedingSettings& seeding, const Grid<Dim>& grid, const Index<Dim>& cell, std::uint64_t k) {
+  const auto n = static_cast<std::uint64_t>(seeding.per_axis);
+  std::uint64_t c = 0;
+  for (int d = Dim; d-- > 0;) c = c * static_cast<std::uint64_t>(grid.cells[d]) + static_cast<std::uint64_t>(cell[d]);
+  Point p{0, 0, 0};
+  std::uint64_t rest = k;
+  for (int d = 0; d < Dim; ++d) {
+    const auto sub = static_cast<double>(rest % n);
+    rest /= n;
+    const bool regular = seeding.pattern == Pattern::regular;
+    const double in_sub =
+        regular ? 0.5 : uniform(static_cast<std::uint64_t>(seeding.seed), c, Dim * k + static_cast<unsigned>(d));
+    p[static_cast<std::size_t>(d)] = grid.dx * (cell[d] + (sub + in_sub) / seeding.per_axis);
+  }
+  return p;
+}
+template Point seed_place(const SeedingSettings&, const Grid<2>&, const Index<2>&, std::uint64_t);
+template Point seed_place(const SeedingSettings&, const Grid<3>&, const Index<3>&, std::uint64_t);
 
 template <int Dim, class Real> Seeded<Dim, Real> seed_bodies(const Scene& scene, const Grid<Dim>& grid) {
   const Domain domain = scene.domain();

@@ -12,6 +12,12 @@
 
 namespace flipbook {
 
+/// Where the k-th particle of a cell starts, from the lower corner of the domain (m); k counts the sub-cells, x
+/// fastest.
+template <int Dim>
+[[nodiscard]] Point seed_place(const SeedingSettings& seeding, const Grid<Dim>& grid, const Index<Dim>& cell,
+                               std::uint64_t k);
+
 /// Each has the mass density dx^Dim / per_axis^Dim, from a file or not; where rows and bodies overlap there is fluid
 /// twice. Throws UserError where the particles are none or too many, and where check_rows() does.
 template <int Dim, class Real>
