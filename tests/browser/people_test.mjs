@@ -2,6 +2,7 @@
 // More than one page, a wrong link, and a program that ends and comes back.
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { setTimeout as sleep } from "node:timers/promises";
 
 import { connected, live, small } from "./live.mjs";
 import { Program } from "./program.mjs";
@@ -28,6 +29,19 @@ test("one drives, the others watch until they take over", async () => {
   await first.close();
   await second.until("document.getElementById('role').textContent === 'You drive'", "the one who is left to drive");
   assert.deepEqual(second.errors, []);
+});
+
+test("a phone that takes over leaves the picture as large as others watch it", async () => {
+  const wall = await session.open({ width: 1280, height: 800 });
+  const width = () => wall.evaluate("document.getElementById('picture').width");
+  await wall.until("document.getElementById('picture').width > 1000", "a picture for the wall");
+  const before = await width();
+  const phone = await session.open({ width: 390, height: 844, touch: true });
+  await phone.tap("#drive");
+  await phone.until("document.getElementById('role').textContent.startsWith('You drive')", "the phone to drive");
+  await phone.tap("#step"); // a picture that was drawn after it
+  await sleep(800);
+  assert.equal(await width(), before);
 });
 
 test("a wrong link is explained", async () => {

@@ -29,6 +29,12 @@ export class Messages {
     this.#show();
   }
 
+  /// News of a connection that is no more.
+  forget() {
+    this.#all = this.#all.filter((m) => m.level === "error");
+    this.#show();
+  }
+
   /// The gravest, of these the newest.
   #shown() {
     return this.#all.reduce((best, m) => (best && weight[best.level] > weight[m.level] ? best : m), null);

@@ -16,6 +16,7 @@ const messages = new Messages($("message"), $("dismiss"));
 const picture = new Picture($("picture"), (number) => connection.say({ type: "ack", picture: number }));
 let state = null;
 let role = null;
+let clients = 1;
 let seq = 0;
 
 const driving = () => role === "driver";
@@ -108,6 +109,7 @@ for (const dialog of document.querySelectorAll("dialog")) {
 function takeRole(message) {
   const before = role;
   role = message.role;
+  clients = message.clients ?? clients;
   bar.showRole(message);
   parameters.enable(driving());
   if (driving() && before !== "driver") tellSize();
@@ -118,6 +120,7 @@ function takeRole(message) {
 const heard = {
   hello(message) {
     role = null;
+    clients = 1;
     takeRole(message);
     chooser.fill(message);
     askParameters();
@@ -181,6 +184,7 @@ connection.addEventListener("status", ({ detail }) => {
   // Read aloud once, not with each try.
   if (role !== null) $("announced").textContent = `${detail.text} This page tries again by itself.`;
   role = null;
+  messages.forget();
   bar.rest();
   parameters.enable(false);
 });
@@ -192,11 +196,16 @@ $("picture").addEventListener("drawn", () => {
   stage.removeAttribute("data-stale");
 });
 
-/// How large the picture may be, in the screen's own pixels; the program draws for who drives.
+/// How large the picture may be, in the screen's own pixels; the program draws for who drives. Who takes over with a phone
+/// while others watch does not make the picture on the lecture hall's wall a small one.
 function tellSize() {
+  if (!driving()) return;
   const { width, height } = stage.getBoundingClientRect();
   const within = (x, low, high) => Math.round(Math.min(high, Math.max(low, x * devicePixelRatio)));
-  if (driving()) connection.say({ type: "view", width: within(width, 320, 3840), height: within(height, 240, 2160) });
+  const size = { width: within(width, 320, 3840), height: within(height, 240, 2160) };
+  const now = state?.pictures;
+  if (clients > 1 && now && size.width * size.height < now.width * now.height) return;
+  connection.say({ type: "view", ...size });
 }
 let settling = 0;
 new ResizeObserver(() => {
