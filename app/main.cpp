@@ -38,6 +38,10 @@ const std::array table = std::to_array<CommandEntry>({
      "Examples:\n  flipbook serve dam_break\n  flipbook serve my_study.toml --port 8080 -o recordings\n"
      "  ssh -L 8080:localhost:8080 cluster flipbook serve dam_break --port 8080",
      make_serve},
+    {"figure", "Draw teaching figures as PNG, SVG and PDF, with their data",
+     "Examples:\n  flipbook figure --list\n  flipbook figure propositions --width 84mm\n"
+     "  flipbook figure --all --contact-sheet figures.png",
+     make_figure},
     {"verify", "Check the conservation properties of the transfers, one row for each",
      "Examples:\n  flipbook verify\n  flipbook verify --only angular --json", make_verify},
     {"validate", "Run flows with a known solution, and write a table, CSV files and a figure of each",

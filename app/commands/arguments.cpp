@@ -22,6 +22,9 @@ public:
   void positional(const Argument& what, std::string& x, const std::string& help, bool required) override {
     parser_.add_option(what.name, x, help)->required(required)->type_name("");
   }
+  void positionals(const Argument& what, std::vector<std::string>& x, const std::string& help) override {
+    parser_.add_option(what.name, x, help)->type_name("...");
+  }
   void text(const std::string& names, std::string& x, const Argument& value, const std::string& help) override {
     parser_.add_option(names, x, help)->type_name(value.name)->take_last();
   }

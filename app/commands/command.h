@@ -42,6 +42,8 @@ class OptionVisitor {
 public:
   virtual ~OptionVisitor() = default;
   virtual void positional(const Argument& what, std::string& x, const std::string& help, bool required = true) = 0;
+  /// Any number of them.
+  virtual void positionals(const Argument& what, std::vector<std::string>& x, const std::string& help) = 0;
   /// `names` as in "-o,--output".
   virtual void text(const std::string& names, std::string& x, const Argument& value, const std::string& help) = 0;
   /// May be given several times.
@@ -78,6 +80,7 @@ std::unique_ptr<Command> make_render();
 std::unique_ptr<Command> make_compare();
 std::unique_ptr<Command> make_serve();
 std::unique_ptr<Command> make_still();
+std::unique_ptr<Command> make_figure();
 std::unique_ptr<Command> make_verify();
 std::unique_ptr<Command> make_validate();
 std::unique_ptr<Command> make_list();

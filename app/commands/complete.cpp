@@ -156,7 +156,7 @@ void add_option_names(Collector& all, const std::vector<OptionInfo>& options, co
 
 void add_place(Collector& all, const std::vector<OptionInfo>& options, std::size_t place) {
   for (const OptionInfo& o : options)
-    if (o.by_place() && place-- == 0) return add_values(all, o.value);
+    if (o.by_place() && (place-- == 0 || o.repeated)) return add_values(all, o.value);
 }
 
 void complete_command(Collector& all, const CommandEntry& entry, const Words& words) {

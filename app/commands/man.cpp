@@ -121,7 +121,8 @@ void header(const std::string& name) {
 std::string synopsis(const CommandEntry& c, const std::vector<OptionInfo>& options) {
   std::string line = bold("flipbook " + c.name);
   for (const OptionInfo& o : options)
-    if (o.by_place()) line += o.required ? " " + italic(o.value.name) : " [" + italic(o.value.name) + "]";
+    if (o.by_place())
+      line += (o.required ? " " + italic(o.value.name) : " [" + italic(o.value.name) + "]") + (o.repeated ? "..." : "");
   return line + " [" + italic("OPTIONS") + "]";
 }
 

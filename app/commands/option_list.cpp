@@ -14,6 +14,9 @@ public:
   void positional(const Argument& what, std::string& /*x*/, const std::string& help, bool required) override {
     found.push_back({.names = {}, .value = what, .help = help, .required = required});
   }
+  void positionals(const Argument& what, std::vector<std::string>& /*x*/, const std::string& help) override {
+    found.push_back({.names = {}, .value = what, .help = help, .repeated = true});
+  }
   void text(const std::string& names, std::string& /*x*/, const Argument& value, const std::string& help) override {
     found.push_back({.names = split(names), .value = value, .help = help});
   }

@@ -2,6 +2,7 @@
 // flipbook validate: flows with a known solution, run for schemes, resolutions and seeds; a table, CSV files and a
 // figure for each.
 #include "app/commands/command.h"
+#include "app/commands/progress_line.h"
 #include "app/commands/run_options.h"
 #include "app/commands/variants.h"
 #include "app/encode/png.h"
@@ -12,10 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
-#include <unistd.h>
 
 namespace flipbook::app {
 
@@ -26,24 +25,6 @@ std::vector<std::string> case_names() {
   for (const auto& c : validation_cases()) names.push_back(c->name());
   return names;
 }
-
-/// Shows how far a case is, on a terminal only.
-class ProgressLine {
-public:
-  explicit ProgressLine(std::string name) : name_(std::move(name)), terminal_(isatty(STDERR_FILENO) == 1) {}
-  ~ProgressLine() {
-    if (terminal_) std::fprintf(stderr, "\r\033[K");
-  }
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
-  void show(std::size_t done, std::size_t of) const {
-    if (terminal_) std::fprintf(stderr, "\r\033[K%s: run %zu of %zu", name_.c_str(), done, of);
-  }
-
-private:
-  std::string name_;
-  bool terminal_;
-};
 
 class Validate final : public Command {
 public:

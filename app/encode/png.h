@@ -15,8 +15,13 @@
 
 namespace flipbook::app {
 
-/// The bytes of a PNG file (RGB: a frame is opaque). Deterministic.
-[[nodiscard]] std::vector<std::uint8_t> encode_png(const render::Image& image, const TextEntries& text);
+/// A picture that is made once may take its time to become small.
+enum class PngEffort { fast, small };
+
+/// The bytes of a PNG file (RGB: a frame is opaque). Deterministic. `density`: pixels of an inch that it is meant for;
+/// 0: it does not say.
+[[nodiscard]] std::vector<std::uint8_t> encode_png(const render::Image& image, const TextEntries& text,
+                                                   PngEffort effort = PngEffort::fast, double density = 0);
 
 /// The text chunks of a PNG file (tEXt and uncompressed iTXt). Throws UserError for what is not a PNG or is damaged.
 [[nodiscard]] TextEntries read_png_text(const std::filesystem::path& file);

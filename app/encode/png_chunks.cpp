@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <libdeflate.h>
 #include <string_view>
@@ -61,7 +62,7 @@ void take_text(std::string_view type, std::string_view data, TextEntries& found)
 
 } // namespace
 
-Bytes png_file(int width, int height, std::span<const std::uint8_t> pixels, const TextEntries& text) {
+Bytes png_file(int width, int height, std::span<const std::uint8_t> pixels, const TextEntries& text, double density) {
   Bytes out(signature.begin(), signature.end());
   out.reserve(pixels.size() + 4096);
   Bytes header;
@@ -71,6 +72,15 @@ Bytes png_file(int width, int height, std::span<const std::uint8_t> pixels, cons
   header.insert(header.end(), format.begin(), format.end());
   append_chunk(out, "IHDR", text_of(header));
   append_chunk(out, "sRGB", std::string_view("\0", 1));
+  if (density > 0) {
+    Bytes size;
+    constexpr double inches_of_metre = 1 / 0.0254;
+    const auto per_metre = static_cast<std::uint32_t>(std::lround(density * inches_of_metre));
+    append_u32(size, per_metre);
+    append_u32(size, per_metre);
+    size.push_back(1); // the unit is the metre
+    append_chunk(out, "pHYs", text_of(size));
+  }
   for (const auto& [key, value] : text) {
     std::string data = key;
     data.append(5, '\0'); // end of keyword; not compressed; method; no language; no translation

@@ -5,8 +5,9 @@
 // kernel, whose variance per axis is D = dx^2/6, dx^2/4 or dx^2/3 (linear on the average over a cell, quadratic,
 // cubic): nu = D / dt for PIC, (1 - flip_ratio) of it for FLIP, half of it for RPIC, which loses the strain but not the
 // spin.
+#include "app/validate/taylor_green.h"
+
 #include "app/validate/cases.h"
-#include "app/validate/experiment.h"
 #include "app/validate/figure.h"
 #include "app/validate/measure.h"
 
@@ -36,10 +37,7 @@ Point exact(double x, double y) {
   return {std::sin(2 * pi * x) * std::cos(2 * pi * y), -std::cos(2 * pi * x) * std::sin(2 * pi * y)};
 }
 
-struct State {
-  double energy = 0; ///< of the grid, relative to the exact one
-  double error = 0;  ///< of the velocity, relative
-};
+using State = TaylorGreenState;
 
 State state_of(Simulation& sim) {
   FrameRequest request;
@@ -49,11 +47,7 @@ State state_of(Simulation& sim) {
   return {4 * faces.energy(), relative_error(faces, exact)};
 }
 
-struct Kernel {
-  const char* name;
-  double variance; ///< D / dx^2
-};
-constexpr std::array<Kernel, 3> kernels{{{"linear", 1.0 / 6}, {"quadratic", 1.0 / 4}, {"cubic", 1.0 / 3}}};
+constexpr auto& kernels = kernel_variances;
 
 class TaylorGreen final : public ValidationCase {
 public:
@@ -86,11 +80,7 @@ private:
     std::vector<Setup> setups;
     for (const std::string& s : schemes)
       for (const double cfl : cfls) setups.push_back({s, cells, cfl});
-    const auto results = run_setups(setups, request.seeds, lab, [&](const Setup& s, int seed) {
-      const auto sim = start(scene, s, seed, lab.pool);
-      advance(*sim, time, s.cfl / s.cells);
-      return state_of(*sim);
-    });
+    const auto results = run_taylor_green(setups, time, request.seeds, lab);
     render::ChartPanel panel{.title = "Kinetic energy left after t = " + number_text(time),
                              .x = {.label = "steps for each cell crossed, 1 / CFL", .logarithmic = true},
                              .y = {.label = "", .range = {{0, 1}}}};
@@ -153,9 +143,8 @@ private:
       }
   }
 
-  /// From the fall of the energy after the first few steps, in which the kernel smooths what was seeded.
   static void viscosity(const ValidationRequest& request, int cells, const Lab& lab, ValidationReport& report) {
-    constexpr double cfl = 1.0 / 16, begin = 0.02, end = 0.06;
+    constexpr double cfl = 1.0 / 16;
     constexpr double splitting = 0.001; // what the splitting adds in these units, 0.12 cfl^2, with as much room again
     std::vector<std::string> schemes;
     for (const std::string& s : chosen(request.schemes, {"pic", "rpic", "flip:0.9", "flip:0.95"}))
@@ -163,20 +152,14 @@ private:
     if (schemes.empty()) return;
     std::vector<Setup> setups;
     for (const std::string& s : schemes)
-      for (const Kernel& k : kernels)
+      for (const KernelVariance& k : kernels)
         setups.push_back({s, cells, cfl, {assign("transfer.kernel", std::string(k.name))}});
-    const auto results = run_setups(setups, request.seeds, lab, [&](const Setup& s, int seed) {
-      const auto sim = start(scene, s, seed, lab.pool);
-      const double dx = 1.0 / s.cells, dt = s.cfl * dx;
-      advance(*sim, begin, dt);
-      const double before = state_of(*sim).energy;
-      advance(*sim, end, dt);
-      return -std::log(state_of(*sim).energy / before) / (16 * pi * pi * (end - begin)) * dt / (dx * dx);
-    });
+    const auto results = transfer_viscosity(setups, request.seeds, lab);
     render::ChartPanel panel{.title = "Viscosity of the transfer, ν Δt / Δx²",
                              .x = {.label = "kernel, and the prediction for PIC"},
                              .y = {.label = "", .logarithmic = true}};
-    for (const Kernel& k : kernels) panel.x.names.push_back(std::string(k.name) + ": 1/" + number_text(1 / k.variance));
+    for (const KernelVariance& k : kernels)
+      panel.x.names.push_back(std::string(k.name) + ": 1/" + number_text(1 / k.variance));
     for (std::size_t s = 0; s < schemes.size(); ++s) {
       std::vector<double> x, theory;
       std::vector<Spread> y;
@@ -235,6 +218,27 @@ private:
 };
 
 } // namespace
+
+std::vector<std::vector<TaylorGreenState>> run_taylor_green(const std::vector<Setup>& setups, double time, int seeds,
+                                                            const Lab& lab) {
+  return run_setups(setups, seeds, lab, [&](const Setup& s, int seed) {
+    const auto sim = start(scene, s, seed, lab.pool);
+    advance(*sim, time, s.cfl / s.cells);
+    return state_of(*sim);
+  });
+}
+
+std::vector<std::vector<double>> transfer_viscosity(const std::vector<Setup>& setups, int seeds, const Lab& lab) {
+  constexpr double begin = 0.02, end = 0.06;
+  return run_setups(setups, seeds, lab, [&](const Setup& s, int seed) {
+    const auto sim = start(scene, s, seed, lab.pool);
+    const double dx = 1.0 / s.cells, dt = s.cfl * dx;
+    advance(*sim, begin, dt);
+    const double before = state_of(*sim).energy;
+    advance(*sim, end, dt);
+    return -std::log(state_of(*sim).energy / before) / (16 * pi * pi * (end - begin)) * dt / (dx * dx);
+  });
+}
 
 std::unique_ptr<ValidationCase> taylor_green_case() {
   return std::make_unique<TaylorGreen>();

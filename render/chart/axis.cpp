@@ -50,7 +50,8 @@ void AxisScale::linear_ticks(const ChartAxis& axis, int most) {
   if (axis.ticks.empty())
     for (const double value : round.at) ticks_.push_back({value, tick_label(value, round.step)});
   else
-    for (const double value : axis.ticks) ticks_.push_back({value, number(value, 4)});
+    for (std::size_t i = 0; i < axis.ticks.size(); ++i)
+      ticks_.push_back({axis.ticks[i], i < axis.tick_texts.size() ? axis.tick_texts[i] : number(axis.ticks[i], 4)});
 }
 
 void AxisScale::logarithmic_ticks(const ChartAxis& axis) {

@@ -18,6 +18,7 @@ struct ChartAxis {
   bool logarithmic = false;
   std::optional<std::array<double, 2>> range{}; ///< otherwise what the series need
   std::vector<double> ticks{};                  ///< otherwise round numbers
+  std::vector<std::string> tick_texts{};        ///< of `ticks`, instead of their numbers
   std::vector<std::string> names{};             ///< of the places 0, 1, 2, ... instead of numbers
 };
 

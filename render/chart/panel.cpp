@@ -150,7 +150,16 @@ Rect with_equal_scales(const Rect& box, const AxisScale& x, const AxisScale& y) 
 
 } // namespace
 
-void draw_panel(Pen& pen, const ChartPanel& panel, const Rect& box) {
+double panel_heading(const Pen& pen, const ChartPanel& panel, double width) {
+  const Extent ex = extent(panel, panel.x, true), ey = extent(panel, panel.y, false);
+  const AxisScale x(panel.x, ex.lo, ex.hi, 0, 400), y(panel.y, ey.lo, ey.hi, 300, 0);
+  std::vector<const ChartSeries*> entries;
+  for (const ChartSeries& s : panel.series)
+    if (!s.label.empty() && !ends_at_edge(s, x, y)) entries.push_back(&s);
+  return 26 + legend(pen, nullptr, entries, {0, 0}, width);
+}
+
+void draw_panel(Pen& pen, const ChartPanel& panel, const Rect& box, double least_heading) {
   const Palette& light = palette(Theme::light);
   const Extent ex = extent(panel, panel.x, true), ey = extent(panel, panel.y, false);
   const AxisScale x(panel.x, ex.lo, ex.hi, 0, 400), y(panel.y, ey.lo, ey.hi, 300, 0);
@@ -166,7 +175,7 @@ void draw_panel(Pen& pen, const ChartPanel& panel, const Rect& box) {
   }
   const double left = static_cast<double>(box.x), top = static_cast<double>(box.y), width = static_cast<double>(box.w);
   pen.text({left, top + 14}, panel.title, title_size, light.text, Weight::bold);
-  const double heading = 26 + legend(pen, &pen, in_legend, {left, top + 26}, width);
+  const double heading = std::max(least_heading, 26 + legend(pen, &pen, in_legend, {left, top + 26}, width));
   const double room_left = widest(pen, numbers) + 9, room_right = names.empty() ? 10 : widest(pen, names) + 28;
   Rect plot{static_cast<float>(left + room_left), static_cast<float>(top + heading + 4),
             static_cast<float>(width - room_left - room_right), static_cast<float>(box.h - heading - 46)};

@@ -7,6 +7,9 @@
 
 namespace flipbook::render {
 
-void draw_panel(Pen& pen, const ChartPanel& panel, const Rect& box);
+/// What stands above the plot, title and legend, takes this height; at least `heading`, so that panels side by side
+/// begin at one height.
+[[nodiscard]] double panel_heading(const Pen& pen, const ChartPanel& panel, double width);
+void draw_panel(Pen& pen, const ChartPanel& panel, const Rect& box, double heading = 0);
 
 } // namespace flipbook::render

@@ -48,11 +48,23 @@ void draw_marks(Pen& pen, const ChartSeries& s, std::span<const ChartPoint> poin
     if (!std::isfinite(p.x + p.y)) continue;
     draw_mark(pen, shape, p, radius + 1.3, page);
     draw_mark(pen, shape, p, radius, colour);
+    if (shape >= 6) draw_mark(pen, shape, p, 0.5 * radius, page); // the same shapes once more, hollow
   }
 }
 
 bool has_line(Style s) {
   return s == Style::line || s == Style::dashes || s == Style::both;
+}
+
+/// Lines differ as colours do. Those with marks are solid, and those of exact curves dashed.
+Dash dash_of(const ChartSeries& s) {
+  using enum Dash;
+  static constexpr std::array<Dash, 12> of_colour{long_dashes,  dash_dot, solid,        short_dashes,
+                                                  dots,         dots,     dash_dot_dot, solid,
+                                                  short_dashes, dash_dot, dashes,       dash_dot_dot};
+  if (s.style == Style::dashes) return dashes;
+  if (s.style != Style::line || s.colour == ChartSeries::exact) return solid;
+  return of_colour[static_cast<std::size_t>(s.colour) % of_colour.size()];
 }
 
 } // namespace
@@ -70,7 +82,7 @@ void draw_series(Pen& pen, const ChartSeries& s, std::span<const ChartPoint> poi
     for (std::size_t begin = 0; begin < points.size();) {
       std::size_t end = begin;
       while (end < points.size() && std::isfinite(points[end].x + points[end].y)) ++end;
-      if (end > begin + 1) pen.line(points.subspan(begin, end - begin), colour, width, s.style == Style::dashes);
+      if (end > begin + 1) pen.line(points.subspan(begin, end - begin), colour, width, dash_of(s));
       begin = end + 1;
     }
   }
@@ -91,7 +103,7 @@ void draw_sample(Pen& pen, const ChartSeries& s, ChartPoint at, double length) {
   const Colour colour = colour_of(s);
   if (s.style == Style::levels) pen.line(std::array{at, end}, colour, 1.8);
   if (has_line(s.style))
-    pen.line(std::array{at, end}, colour, s.colour == ChartSeries::exact ? thin : stroke, s.style == Style::dashes);
+    pen.line(std::array{at, end}, colour, s.colour == ChartSeries::exact ? thin : stroke, dash_of(s));
   if (s.style == Style::points || s.style == Style::both) draw_marks(pen, s, std::array{middle});
 }
 
