@@ -33,7 +33,10 @@ const std::array table = std::to_array<CommandEntry>({
      "Examples:\n  flipbook compare dam_break\n  flipbook compare taylor_green --schemes pic,flip:0.95,apic --set "
      "view.colour=vorticity\n  flipbook compare dam_break --vary transfer.flip_ratio=0,0.5,0.95,1",
      make_compare},
-    {"still", "Single pictures at given times", "Examples:\n  flipbook still drop --at 0.2,0.4,0.6", make_still},
+    {"still", "Single pictures at given times, or a filmstrip for print",
+     "Examples:\n  flipbook still drop --at 0.2,0.4,0.6\n"
+     "  flipbook still dam_break --rows schemes=pic,flip:0.97,apic --cols t=0.4,0.8,1.6 --width 174mm -o dam.pdf",
+     make_still},
     {"serve", "Run a study or a scene live, in a browser",
      "Examples:\n  flipbook serve dam_break\n  flipbook serve my_study.toml --port 8080 -o recordings\n"
      "  ssh -L 8080:localhost:8080 cluster flipbook serve dam_break --port 8080",

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // flipbook list WHAT: every name that a study or an option may use.
 #include "app/commands/command.h"
+#include "app/figures/spec.h"
 #include "app/study/paths.h"
 #include "app/study/study.h"
+#include "render/chart/rich_text.h"
 #include "render/view_settings.h"
 #include "sim/files/read_mesh.h"
 #include "sim/files/read_particles.h"
@@ -180,12 +182,20 @@ void reveal(const std::string& number) {
   print(rows);
 }
 
+void list_figure_names() {
+  Rows rows;
+  for (const std::string& name : list_figures())
+    rows.push_back({name, render::plain_text(read_figure(name, false).claim)});
+  print(rows);
+}
+
 struct Subject {
   const char* name;
   void (*print)();
 };
-constexpr std::array<Subject, 11> subjects{{{"scenes", list_scene_names},
+constexpr std::array<Subject, 12> subjects{{{"scenes", list_scene_names},
                                             {"studies", list_study_names},
+                                            {"figures", list_figure_names},
                                             {"schemes", list_schemes},
                                             {"kernels", list_kernels},
                                             {"materials", list_materials},

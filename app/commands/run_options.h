@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/commands/command.h"
+#include "app/commands/strip_request.h"
 #include "app/series/open_series.h"
 #include "app/session/session.h"
 #include "app/study/resolve.h"
@@ -31,6 +32,9 @@ public:
   int make_video(Study study) const;
   /// The same as single pictures at the given times.
   int make_stills(Study study, const std::vector<double>& times) const;
+
+  /// A filmstrip in rows and columns, at a physical size.
+  int make_strip(Study study, const StripRequest& request) const;
 
   /// Draws a folder of particle files as a video or frames, or single pictures of the frames nearest to `times`.
   int draw_series(const std::string& folder) const;

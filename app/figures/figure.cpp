@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/figures/figure.h"
 
+#include "sim/frame/errors.h"
+
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 namespace flipbook::app {
@@ -10,6 +13,17 @@ std::string FigureTable::cell(double x) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.17g", x);
   return text.data();
+}
+
+std::vector<double> numbers_of(const std::vector<std::string>& texts, const std::string& what) {
+  std::vector<double> numbers;
+  for (const std::string& text : texts) {
+    const Value value = parse_value(text);
+    const double* x = std::get_if<double>(&value);
+    if (!x || !std::isfinite(*x)) throw UserError(what + ": \"" + text + "\" is no number");
+    numbers.push_back(*x);
+  }
+  return numbers;
 }
 
 std::string FigureTable::csv() const {

@@ -70,6 +70,9 @@ struct FigureKindEntry {
   std::unique_ptr<FigureKind> (*make)();
 };
 
+/// Numbers that a [run] lists as texts, as lists of any length are. Throws UserError for one that is none.
+[[nodiscard]] std::vector<double> numbers_of(const std::vector<std::string>& texts, const std::string& what);
+
 /// All kinds.
 [[nodiscard]] std::span<const FigureKindEntry> figure_kinds();
 

@@ -6,7 +6,19 @@
 
 namespace flipbook::app {
 
+std::unique_ptr<FigureKind> lens_figure();
+std::unique_ptr<FigureKind> storyboard_figure();
+std::unique_ptr<FigureKind> disc_figure();
+std::unique_ptr<FigureKind> filmstrip_figure();
 std::unique_ptr<FigureKind> propositions_figure();
 std::unique_ptr<FigureKind> viscosity_figure();
+std::unique_ptr<FigureKind> kernels_figure();
+std::unique_ptr<FigureKind> mac_cell_figure();
+std::unique_ptr<FigureKind> validation_figure();
+std::unique_ptr<FigureKind> curves_figure();
+std::unique_ptr<FigureKind> pictures_and_charts_figure();
+std::unique_ptr<FigureKind> ellipse_figure();
+std::unique_ptr<FigureKind> residual_figure();
+std::unique_ptr<FigureKind> damping_figure();
 
 } // namespace flipbook::app

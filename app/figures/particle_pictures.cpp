@@ -10,16 +10,17 @@
 namespace flipbook::app {
 
 struct ParticlePictures::Drawer {
-  std::unique_ptr<render::Context> context = render::Context::create(render::Backend::automatic);
+  explicit Drawer(render::Backend gl) : context(render::Context::create(gl)) {}
+  std::unique_ptr<render::Context> context;
   render::ParticlePicture picture{*context};
 };
 
-ParticlePictures::ParticlePictures() = default;
+ParticlePictures::ParticlePictures(render::Backend gl) : gl_(gl) {}
 ParticlePictures::~ParticlePictures() = default;
 
 void ParticlePictures::draw(render::Pen& pen, const render::Rect& box, const std::shared_ptr<const Snapshot>& snapshot,
                             const render::ViewSettings& view, const render::Window& window) {
-  if (!drawer_) drawer_ = std::make_unique<Drawer>();
+  if (!drawer_) drawer_ = std::make_unique<Drawer>(gl_);
   const render::Sheet& sheet = pen.sheet();
   const double per_unit =
       sheet.medium == render::Medium::pixels ? sheet.unit : figure_unit / 72 * print_density; // pixels

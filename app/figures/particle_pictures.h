@@ -11,7 +11,8 @@ namespace flipbook::app {
 
 class ParticlePictures {
 public:
-  ParticlePictures();
+  /// `gl`: what draws.
+  explicit ParticlePictures(render::Backend gl = render::Backend::automatic);
   ~ParticlePictures();
   ParticlePictures(const ParticlePictures&) = delete;
   ParticlePictures& operator=(const ParticlePictures&) = delete;
@@ -23,6 +24,7 @@ public:
 
 private:
   struct Drawer;
+  render::Backend gl_;
   std::unique_ptr<Drawer> drawer_;
 };
 

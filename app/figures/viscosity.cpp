@@ -48,6 +48,7 @@ private:
       for (const std::string& r : ratios_)
         setups.push_back({"flip:" + r, cells_, cfl, {assign("transfer.kernel", std::string(k.name))}});
     const auto results = transfer_viscosity(setups, seeds_, lab);
+    const std::vector<double> ratios = numbers_of(ratios_, "ratios");
     ChartPanel panel{
         .title = "Viscosity of the transfer, $ν Δt / Δx^2$",
         .x = {.label = "flip_ratio (0: PIC, 1: FLIP)", .range = {{0, 1}}, .ticks = {0, 0.25, 0.5, 0.75, 1}},
@@ -56,29 +57,27 @@ private:
       const double D = kernel_variances[k].variance;
       panel.series.push_back(exact_series(k == 0 ? "predicted" : "", {0, 1}, {D, 0}));
       panel.series.back().named = ChartSeries::Named::legend;
-      std::vector<double> x;
       std::vector<Spread> y;
-      for (std::size_t r = 0; r < ratios_.size(); ++r) {
-        x.push_back(std::stod(ratios_[r]));
-        y.push_back(spread(results[k * ratios_.size() + r]));
-      }
+      for (std::size_t r = 0; r < ratios_.size(); ++r) y.push_back(spread(results[k * ratios_.size() + r]));
       panel.y.ticks.push_back(D);
       panel.y.tick_texts.push_back("1/" + number_text(1 / D));
-      panel.series.push_back(spread_series(kernel_variances[k].name, colours[k], x, y, ChartSeries::Style::points));
+      panel.series.push_back(
+          spread_series(kernel_variances[k].name, colours[k], ratios, y, ChartSeries::Style::points));
       panel.series.back().named = ChartSeries::Named::legend;
     }
     return panel;
   }
 
   [[nodiscard]] ChartPanel energy(const Lab& lab) const {
+    const std::vector<double> steps = numbers_of(steps_, "steps");
     std::vector<Setup> setups;
     for (const std::string& s : schemes_)
-      for (const std::string& n : steps_) setups.push_back({s, cells_, 1 / std::stod(n)});
+      for (const double n : steps) setups.push_back({s, cells_, 1 / n});
     const auto results = run_taylor_green(setups, time_, seeds_, lab);
     ChartPanel panel{.title = "Kinetic energy left at $t$ = " + number_text(time_) + " s",
                      .x = {.label = "steps for each cell crossed, 1 / CFL", .logarithmic = true},
                      .y = {.label = "", .range = {{0, 1}}}};
-    for (const std::string& n : steps_) panel.x.ticks.push_back(std::stod(n));
+    panel.x.ticks = steps;
     for (std::size_t s = 0; s < schemes_.size(); ++s) {
       std::vector<Spread> y;
       for (std::size_t n = 0; n < steps_.size(); ++n)

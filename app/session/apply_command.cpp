@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/apply_command.h"
 
+#include "sim/frame/errors.h"
+
 #include <algorithm>
 
 namespace flipbook::app {
@@ -32,6 +34,13 @@ Refusal apply_command(const Command& command, Stepper& variants) {
     if (!r.message.empty()) return r;
   }
   return {};
+}
+
+void must_apply(const Command& command, Stepper& variants, const char* who) {
+  const Refusal refusal = apply_command(command, variants);
+  if (refusal.message.empty()) return;
+  const auto* change = std::get_if<SetParameter>(&command.action);
+  throw UserError(who + (change ? change->path + ": " : std::string()) + refusal.message, {}, refusal.nearest);
 }
 
 } // namespace flipbook::app

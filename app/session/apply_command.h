@@ -14,4 +14,7 @@ namespace flipbook::app {
 /// EditedView.
 [[nodiscard]] Refusal apply_command(const Command& command, Stepper& variants);
 
+/// The same where a refusal ends the run: throws UserError, which begins with `who` asks.
+void must_apply(const Command& command, Stepper& variants, const char* who);
+
 } // namespace flipbook::app

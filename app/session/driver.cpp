@@ -24,12 +24,6 @@ private:
   std::string text_;
 };
 
-void must(const Command& command, const Refusal& refusal, const char* who) {
-  if (refusal.message.empty()) return;
-  const auto* change = std::get_if<SetParameter>(&command.action);
-  throw UserError(who + (change ? change->path + ": " : std::string()) + refusal.message, {}, refusal.nearest);
-}
-
 } // namespace
 
 std::size_t Bundle::bytes() const {
@@ -88,7 +82,7 @@ void Driver::make_variants(Pool& pool) {
 
 void Driver::apply_commands(std::uint64_t frame) {
   for (; next_command_ < commands_.size() && commands_[next_command_].frame <= frame; ++next_command_)
-    must(commands_[next_command_], apply_command(commands_[next_command_], *variants_), "timeline: ");
+    must_apply(commands_[next_command_], *variants_, "timeline: ");
 }
 
 void Driver::apply_edits(std::uint64_t frame) {
@@ -99,7 +93,7 @@ void Driver::apply_edits(std::uint64_t frame) {
     if (change && is_view(change->path))
       view_.set(*change, resolved_.time_of(edit.frame));
     else
-      must(edit, apply_command(edit, *variants_), "an edit: ");
+      must_apply(edit, *variants_, "an edit: ");
   }
 }
 

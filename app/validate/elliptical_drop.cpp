@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A drop of radius 1 in v = A0 (x, -y), without gravity or walls. It stays an ellipse with the semi-axes a and 1/a:
 //   da/dt = a A,   A = A0 sqrt(2 / (a^2 + a^-2)),   p(centre) = rho A^2 / (a^2 + a^-2),   kinetic energy constant.
+#include "app/validate/elliptical_drop.h"
+
 #include "app/validate/cases.h"
 #include "app/validate/experiment.h"
 #include "app/validate/figure.h"
@@ -29,17 +31,8 @@ double squares(double a) {
   return a * a + 1 / (a * a);
 }
 
-/// a(t) by the classic Runge-Kutta method.
 double exact_axis(double time) {
-  constexpr int steps = 1000;
-  const double h = time / steps;
-  const auto f = [](double a) { return a * rate * std::sqrt(2 / squares(a)); };
-  double a = 1;
-  for (int i = 0; i < steps; ++i) {
-    const double k1 = f(a), k2 = f(a + h / 2 * k1), k3 = f(a + h / 2 * k2), k4 = f(a + h * k3);
-    a += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-  }
-  return a;
+  return drop_axis(time);
 }
 
 double exact_pressure(double time) {
@@ -212,6 +205,19 @@ private:
 };
 
 } // namespace
+
+// By the classic Runge-Kutta method.
+double drop_axis(double time) {
+  constexpr int steps = 1000;
+  const double h = time / steps;
+  const auto f = [](double a) { return a * rate * std::sqrt(2 / squares(a)); };
+  double a = 1;
+  for (int i = 0; i < steps; ++i) {
+    const double k1 = f(a), k2 = f(a + h / 2 * k1), k3 = f(a + h / 2 * k2), k4 = f(a + h * k3);
+    a += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  }
+  return a;
+}
 
 std::unique_ptr<ValidationCase> elliptical_drop_case() {
   return std::make_unique<EllipticalDrop>();

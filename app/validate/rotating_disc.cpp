@@ -3,6 +3,8 @@
 // particles' velocities counted, and energy E = kinetic + elastic are constant. Steps of 0.3 dx / c with the speed of
 // sound c = sqrt((lambda + 2 mu) / rho). The tech report of APIC proves that APIC and RPIC keep L in the transfers;
 // forces of a symmetric stress, along grad w or by MLS, keep it as well (sim/mpm/mpm_ledger.h).
+#include "app/validate/rotating_disc.h"
+
 #include "app/validate/cases.h"
 #include "app/validate/figure.h"
 #include "app/validate/solids.h"
@@ -28,33 +30,11 @@ velocity = { rotation = 2, centre = [0.5, 0.5] }
 constexpr double pi = std::numbers::pi, young = 1e4, nu = 0.3, density = 1000, rotation = 2,
                  revolution = 2 * pi / rotation;
 constexpr double cfl = 0.3; ///< of sound alone
-constexpr int frames_a_revolution = 32;
+constexpr int frames_a_revolution = disc_frames;
 
 double step(int cells) {
   const double c = std::sqrt(young * (1 - nu) / ((1 + nu) * (1 - 2 * nu)) / density);
   return cfl / cells / c;
-}
-
-/// What the particles hold at the frames 0 .. frames, over that of the start.
-struct Turn {
-  std::vector<double> L, E;
-  [[nodiscard]] double largest_change() const {
-    double most = 0;
-    for (const double l : L) most = std::max(most, std::abs(l - 1));
-    return most;
-  }
-};
-
-Turn turn(Simulation& sim, int cells, int revolutions) {
-  Turn t;
-  for (int k = 0; k <= revolutions * frames_a_revolution; ++k) {
-    if (k > 0) advance(sim, revolution * k / frames_a_revolution, step(cells));
-    const auto s = sim.snapshot(static_cast<std::uint64_t>(k), {});
-    const LedgerTable::Quantity& L = held(*s, "angular_momentum_z");
-    t.L.push_back(L.now / L.start);
-    t.E.push_back(energy_now(*s).total() / energy_at_start(*s).total());
-  }
-  return t;
 }
 
 /// How the stress reaches the grid.
@@ -92,7 +72,7 @@ public:
             with(s, cells, cfl,
                  {assign("transfer.kernel", std::string(way.kernel)), assign("mpm.forces", std::string(way.forces))}));
     const auto results = run_setups(setups, request.seeds, lab, [&](const Setup& s, int seed) {
-      return turn(*start(scene, s, seed, lab.pool), s.cells, revolutions);
+      return turn_disc(*start_disc(s, seed, lab.pool), s.cells, revolutions);
     });
     rows(schemes, setups, results, report);
     ranks(schemes, results, cells, report);
@@ -105,7 +85,7 @@ public:
   }
 
 private:
-  using Results = std::vector<std::vector<Turn>>;
+  using Results = std::vector<std::vector<DiscTurn>>;
 
   static void rows(const std::vector<SolidScheme>& schemes, const std::vector<Setup>& setups, const Results& results,
                    ValidationReport& report) {
@@ -115,12 +95,12 @@ private:
       const int cells = setups[i].cells;
       if (keeps_spin(setups[i]))
         report.add({title, way, cells, cfl, "largest |L / L0 - 1|", "",
-                    spread(results[i], [](const Turn& t) { return t.largest_change(); }), 0.0, Gate{0, 1e-12}});
+                    spread(results[i], [](const DiscTurn& t) { return t.largest_change(); }), 0.0, Gate{0, 1e-12}});
       else
         report.add({title, way, cells, cfl, "L / L0 at the end", "",
-                    spread(results[i], [](const Turn& t) { return t.L.back(); }), 1.0, Gate{-0.01, 1.01}});
+                    spread(results[i], [](const DiscTurn& t) { return t.L.back(); }), 1.0, Gate{-0.01, 1.01}});
       report.add({title, way, cells, cfl, "energy / that at the start, at the end", "",
-                  spread(results[i], [](const Turn& t) { return t.E.back(); }), 1.0, Gate{0, 1.01}});
+                  spread(results[i], [](const DiscTurn& t) { return t.E.back(); }), 1.0, Gate{0, 1.01}});
     }
   }
 
@@ -160,9 +140,9 @@ private:
       render::ChartSeries e = l;
       for (std::size_t k = 0; k < seeds.front().L.size(); ++k) {
         l.x.push_back(static_cast<double>(k) / frames_a_revolution);
-        l.y.push_back(spread(seeds, [&](const Turn& t) { return t.L[k]; }).mean);
+        l.y.push_back(spread(seeds, [&](const DiscTurn& t) { return t.L[k]; }).mean);
         e.x.push_back(l.x.back());
-        e.y.push_back(spread(seeds, [&](const Turn& t) { return t.E[k]; }).mean);
+        e.y.push_back(spread(seeds, [&](const DiscTurn& t) { return t.E[k]; }).mean);
       }
       L.series.push_back(std::move(l));
       E.series.push_back(std::move(e));
@@ -173,6 +153,23 @@ private:
 };
 
 } // namespace
+
+std::unique_ptr<Simulation> start_disc(const Setup& setup, int seed, Pool& pool) {
+  return start(scene, setup, seed, pool);
+}
+
+DiscTurn turn_disc(Simulation& sim, int cells, int revolutions, const DiscLook& look, const FrameRequest& request) {
+  DiscTurn t;
+  for (int k = 0; k <= revolutions * frames_a_revolution; ++k) {
+    if (k > 0) advance(sim, revolution * k / frames_a_revolution, step(cells));
+    const auto s = sim.snapshot(static_cast<std::uint64_t>(k), request);
+    const LedgerTable::Quantity& L = held(*s, "angular_momentum_z");
+    t.L.push_back(L.now / L.start);
+    t.E.push_back(energy_now(*s).total() / energy_at_start(*s).total());
+    if (look) look(k, s);
+  }
+  return t;
+}
 
 std::unique_ptr<ValidationCase> rotating_disc_case() {
   return std::make_unique<RotatingDisc>();

@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
+#include <regex>
 
 namespace flipbook::render {
 
@@ -24,6 +26,22 @@ std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
   return out;
+}
+
+/// Cairo numbers surfaces and images over the life of the process. Numbered anew in the order in which they appear,
+/// equal drawings are equal bytes whatever was drawn before.
+std::string renumbered(const std::string& text) {
+  static const std::regex number(R"re((\bid="|#)(surface|image|source-)([0-9]+)(?=["\)]))re");
+  std::map<std::string, std::size_t> places;
+  std::string out;
+  std::size_t done = 0;
+  for (std::sregex_iterator m(text.begin(), text.end(), number), end; m != end; ++m) {
+    const auto at = static_cast<std::size_t>(m->position());
+    const std::size_t place = places.emplace(m->str(2) + m->str(3), places.size()).first->second;
+    out += text.substr(done, at - done) + m->str(1) + m->str(2) + std::to_string(place);
+    done = at + static_cast<std::size_t>(m->length());
+  }
+  return out + text.substr(done);
 }
 
 } // namespace
@@ -56,7 +74,7 @@ std::vector<std::uint8_t> finished_svg(const std::vector<std::uint8_t>& bytes, c
   const std::string out = text.substr(0, begin) +
                           "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" " +
                           size.data() + " version=\"1.1\" role=\"img\">\n<title>" + escaped(s.title) +
-                          "</title>\n<desc>" + escaped(s.subject) + "</desc>" + text.substr(end + 1);
+                          "</title>\n<desc>" + escaped(s.subject) + "</desc>" + renumbered(text.substr(end + 1));
   return {out.begin(), out.end()};
 }
 

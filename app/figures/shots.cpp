@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "app/figures/shots.h"
+
+#include "app/session/apply_command.h"
+#include "app/session/schedule.h"
+#include "app/study/paths.h"
+#include "app/study/titles.h"
+
+namespace flipbook::app {
+
+Shots take_shots(const Resolved& study, const std::vector<double>& times, const Lab& lab) {
+  std::vector<std::unique_ptr<Simulation>> simulations(study.variants.size());
+  std::vector<Lockstep> lockstep;
+  for (const ResolvedVariant& v : study.variants) lockstep.push_back(v.scene.settings.time.lockstep);
+  lab.pool.each(static_cast<int>(simulations.size()), [&](int i) {
+    const auto v = static_cast<std::size_t>(i);
+    simulations[v] = make_simulation(study.variants[v].scene, lab.pool);
+  });
+  Stepper stepper(std::move(simulations), lockstep, lab.pool);
+  Shots shots;
+  shots.at.resize(stepper.size());
+  Schedule schedule = Schedule::stills(study.output.fps, study.scale, times);
+  const CommandLog commands = study.timeline.commands(study.output.fps, study.scale, schedule.boundaries());
+  std::size_t next = 0, edit = 0, done = 0;
+  while (const auto stop = schedule.next()) {
+    stepper.advance_to(stop->time, [] { return false; });
+    for (; stop->boundary && next < commands.size() && commands[next].frame <= stop->frame; ++next)
+      must_apply(commands[next], stepper, "timeline: ");
+    for (; stop->boundary && edit < study.edits.size() && study.edits[edit].frame <= stop->frame; ++edit) {
+      const auto* change = std::get_if<SetParameter>(&study.edits[edit].action);
+      if (!change || !is_view(change->path)) must_apply(study.edits[edit], stepper, "an edit: ");
+    }
+    if (!stop->shown) continue;
+    lab.pool.each(static_cast<int>(stepper.size()), [&](int i) {
+      const auto v = static_cast<std::size_t>(i);
+      shots.at[v].push_back(stepper[v].snapshot(stop->frame, study.request()));
+    });
+    lab.progress(++done, times.size());
+  }
+  std::vector<TitledPane> panes;
+  for (std::size_t v = 0; v < stepper.size(); ++v)
+    panes.push_back({study.variants[v].label, stepper[v].title(), stepper[v].parameters()});
+  shots.titles = pane_titles(panes);
+  return shots;
+}
+
+} // namespace flipbook::app
