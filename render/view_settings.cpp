@@ -71,10 +71,10 @@ void ViewSettings::describe_camera(ParameterVisitor& v) {
           .min = -90,
           .max = 90},
          elevation);
-  v.real({.name = "zoom", .help = "Magnification of 3D panes; 1: the whole tank fits its pane.", .min = 0.1, .max = 50},
+  v.real({.name = "zoom", .help = "Magnification; 1: the whole domain fits its pane.", .min = 0.1, .max = 50},
          zoom);
   v.reals({.name = "target",
-           .help = "What the camera of 3D panes looks at, as fractions of the tank on each axis.",
+           .help = "What the middle of a pane shows, as fractions of the domain on each axis.",
            .min = -10,
            .max = 10},
           target);

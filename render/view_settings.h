@@ -23,7 +23,7 @@ struct ViewSettings {
   double particle_size = 1.5;           ///< diameter of a disc in particle spacings; above 1 closes the gaps
   double azimuth = -30, elevation = 20; ///< of the 3D camera, degrees (render/views/camera.h)
   double zoom = 1;                      ///< 1: the whole domain fits its pane
-  std::array<double, 3> target{0.5, 0.5, 0.5}; ///< what the camera looks at, as fractions of the domain
+  std::array<double, 3> target{0.5, 0.5, 0.5}; ///< what is in the middle, as fractions of the domain
   bool walls = true, grid = false, arrows = false;
   bool captions = true; ///< dt and steps below each pane
   bool show_panel = true;

@@ -86,6 +86,14 @@ std::optional<double> meets(const glm::dvec3& from, const glm::dvec3& along, con
   return u >= 0 && v >= 0 && u + v <= 1 && t > 0 ? std::optional(t) : std::nullopt;
 }
 
+/// The middle of the panes, moved by metres.
+SetParameter moved_target(const render::ViewSettings& view, const Snapshot& s, const std::array<double, 3>& by) {
+  std::vector<double> target(view.target.begin(), view.target.end());
+  for (std::size_t a = 0; a < static_cast<std::size_t>(s.dim); ++a)
+    target[a] = rounded(std::clamp(target[a] + by[a] / (s.hi[a] - s.lo[a]), -10.0, 10.0), 1e-4);
+  return {"view.target", target};
+}
+
 } // namespace
 
 Place place_in(const std::vector<PaneView>& panes, std::size_t pane, Point pixel, double depth) {
@@ -146,21 +154,27 @@ std::vector<SetParameter> orbit(const render::ViewSettings& view, double dx, dou
 }
 
 std::vector<SetParameter> pan(const render::ViewSettings& view, const PaneView& pane, float dx, float dy) {
-  if (!pane.camera) return {};
-  const double metre = pane.camera->distance() / pane.camera->focal();
-  const glm::dmat4& m = pane.camera->view();
-  std::vector<double> target(view.target.begin(), view.target.end());
-  for (int a = 0; a < 3; ++a) {
-    const auto axis = static_cast<std::size_t>(a);
-    const double by = metre * (-static_cast<double>(dx) * m[a][0] + static_cast<double>(dy) * m[a][1]);
-    const double moved = target[axis] + by / (pane.snapshot->hi[axis] - pane.snapshot->lo[axis]);
-    target[axis] = rounded(std::clamp(moved, -10.0, 10.0), 1e-4);
+  std::array<double, 3> by{};
+  if (pane.camera) {
+    const double metre = pane.camera->distance() / pane.camera->focal();
+    const glm::dmat4& m = pane.camera->view();
+    for (int a = 0; a < 3; ++a)
+      by[static_cast<std::size_t>(a)] =
+          metre * (-static_cast<double>(dx) * m[a][0] + static_cast<double>(dy) * m[a][1]);
+  } else {
+    by = {static_cast<double>(-dx / pane.metre), static_cast<double>(dy / pane.metre), 0};
   }
-  return {{"view.target", target}};
+  return {moved_target(view, *pane.snapshot, by)};
 }
 
-std::vector<SetParameter> zoom(const render::ViewSettings& view, double notches) {
-  return {{"view.zoom", rounded(std::clamp(view.zoom * std::pow(zoom_per_notch, notches), 0.1, 50.0), 1e-3)}};
+std::vector<SetParameter> zoom(const render::ViewSettings& view, const PaneView& pane, Point pixel, double notches) {
+  const double next = rounded(std::clamp(view.zoom * std::pow(zoom_per_notch, notches), 0.1, 50.0), 1e-3);
+  if (pane.camera) return {{"view.zoom", next}};
+  // From the middle of the pane to the pixel it is 1 / zoom as far as before.
+  const double share = 1 - view.zoom / next, metre = static_cast<double>(pane.metre);
+  const std::array<double, 3> by{share * static_cast<double>(pixel.x - pane.frame.middle_x()) / metre,
+                                 share * static_cast<double>(pane.frame.middle_y() - pixel.y) / metre, 0};
+  return {{"view.zoom", next}, moved_target(view, *pane.snapshot, by)};
 }
 
 } // namespace flipbook::app::live

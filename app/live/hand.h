@@ -34,10 +34,12 @@ struct Held {
 };
 [[nodiscard]] std::optional<Held> solid_at(const render::PaneView& pane, render::gui::Point pixel);
 
-/// What a drag, in fractions of the picture, makes of the camera: changes of view.* for 3D panes.
+/// What a drag, in fractions of the picture, makes of the camera: changes of view.*.
 [[nodiscard]] std::vector<SetParameter> orbit(const render::ViewSettings& view, double dx, double dy);
 [[nodiscard]] std::vector<SetParameter> pan(const render::ViewSettings& view, const render::PaneView& pane, float dx,
                                             float dy); ///< pixels
-[[nodiscard]] std::vector<SetParameter> zoom(const render::ViewSettings& view, double notches);
+/// In 2D what is under the pixel stays there.
+[[nodiscard]] std::vector<SetParameter> zoom(const render::ViewSettings& view, const render::PaneView& pane,
+                                             render::gui::Point pixel, double notches);
 
 } // namespace flipbook::app::live

@@ -64,8 +64,8 @@ void LiveScreen::take(const serve::PointerMessage& m) {
   if (m.wheel == 0 || !inside_) return;
   if (over_widgets())
     gui_event({.kind = GuiEvent::Kind::wheel, .at = pointer_, .wheel = static_cast<float>(m.wheel)}, m.with);
-  else if (const auto pane = pane_under(); pane && renderer_->panes()[*pane].camera)
-    camera(zoom(view_, m.wheel));
+  else if (const auto pane = pane_under())
+    camera(zoom(view_, renderer_->panes()[*pane], pointer_, m.wheel));
 }
 
 void LiveScreen::arrive(const serve::PointerMessage& m) {
@@ -78,7 +78,9 @@ void LiveScreen::press(unsigned pressed, const serve::PointerMessage& m) {
     gesture_ = Gesture::widget;
     return;
   }
-  if (!pane_under()) return;
+  const auto pane = pane_under();
+  if (!pane) return;
+  held_pane_ = *pane;
   gui_event({.kind = GuiEvent::Kind::leave}, m.with);
   if ((pressed & (right | middle)) != 0 || (m.with.shift && tool_ == Tool::camera))
     gesture_ = Gesture::pan;
@@ -122,13 +124,12 @@ void LiveScreen::drag(Point from) {
   if (!renderer_ || held_pane_ >= renderer_->panes().size()) return;
   const auto& panes = renderer_->panes();
   const float dx = pointer_.x - from.x, dy = pointer_.y - from.y;
-  const bool flat = std::none_of(panes.begin(), panes.end(), [](const auto& p) { return p.camera.has_value(); });
   if (gesture_ == Gesture::tool) hold(place_in(panes, held_pane_, pointer_, held_depth_));
-  if (flat || (dx == 0 && dy == 0)) return;
-  if (gesture_ == Gesture::orbit)
+  if (dx == 0 && dy == 0) return;
+  if (gesture_ == Gesture::pan || (gesture_ == Gesture::orbit && !panes[held_pane_].camera))
+    camera(pan(view_, panes[held_pane_], dx, dy));
+  else if (gesture_ == Gesture::orbit)
     camera(orbit(view_, static_cast<double>(dx) / width_, static_cast<double>(dy) / height_));
-  const auto deep = std::find_if(panes.begin(), panes.end(), [](const auto& p) { return p.camera.has_value(); });
-  if (gesture_ == Gesture::pan) camera(pan(view_, *deep, dx, dy));
 }
 
 void LiveScreen::let_go() {

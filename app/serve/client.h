@@ -44,6 +44,7 @@ public:
 
   void send(std::shared_ptr<const std::string> text) {
     if (ending_) return;
+    greeted_ = true;
     waiting_bytes_ += text->size();
     texts_.push_back(std::move(text));
     if (texts_.size() > most_waiting_texts || waiting_bytes_ > most_waiting_bytes) return drop();
@@ -134,7 +135,7 @@ private:
       ws_.text(true);
       return write(asio::buffer(*text_));
     }
-    if (!fresh_ || !flow_.open() || !hub_.newest.picture) return;
+    if (!greeted_ || !fresh_ || !flow_.open() || !hub_.newest.picture) return;
     fresh_ = false;
     hub_.coded(flow_.grade());
     jpeg_ = hub_.newest.coded[flow_.grade()];
@@ -174,8 +175,8 @@ private:
 
   websocket::stream<tcp::socket> ws_;
   Hub& hub_;
-  ClientId id_ = 0; ///< 0: has not come in
-  bool token_ok_ = false;
+  ClientId id_ = 0;                         ///< 0: has not come in
+  bool token_ok_ = false, greeted_ = false; ///< greeted: it was told who it is, before any picture
   beast::flat_buffer buffer_{longest_message};
   RateLimit rate_{messages_per_second, message_burst};
   Flow flow_;

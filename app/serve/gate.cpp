@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdint>
+#include <cstdlib>
 #include <netinet/in.h>
 #include <sys/random.h>
 #include <system_error>
@@ -58,6 +59,19 @@ std::string random_token() {
     text += "0123456789abcdef"[b & 15U];
   }
   return text;
+}
+
+std::string chosen_token() {
+  const char* given = std::getenv("FLIPBOOK_TOKEN");
+  if (!given || *given == '\0') return random_token();
+  const std::string token = given;
+  constexpr std::size_t shortest = 16, longest = 128;
+  const bool plain = std::all_of(token.begin(), token.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  });
+  if (!plain || token.size() < shortest || token.size() > longest)
+    throw UserError("FLIPBOOK_TOKEN: a token has 16 to 128 letters, digits, _ and -");
+  return token;
 }
 
 bool same_token(std::string_view given, std::string_view token) {

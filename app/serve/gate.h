@@ -14,6 +14,10 @@ namespace flipbook::app::serve {
 /// 128 random bits of the operating system, as 32 hexadecimal digits. Throws MachineError.
 [[nodiscard]] std::string random_token();
 
+/// The one that the environment variable FLIPBOOK_TOKEN holds, so that pages find a server that was started again; a
+/// random one where there is none. Throws UserError for one that could be guessed or does not belong into a link.
+[[nodiscard]] std::string chosen_token();
+
 /// In a time that does not tell how much of it is right.
 [[nodiscard]] bool same_token(std::string_view given, std::string_view token);
 

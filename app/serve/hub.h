@@ -30,7 +30,7 @@ inline constexpr std::size_t most_events = 4096; ///< that a program which does 
 
 /// What all connections share; used on the server's thread unless it says otherwise.
 struct Hub {
-  explicit Hub(std::function<void()> w) : wake(std::move(w)), token(random_token()) {}
+  explicit Hub(std::function<void()> w) : wake(std::move(w)), token(chosen_token()) {}
 
   void happened(ClientEvent event) { // drops what a program that does not listen would never read
     {

@@ -33,6 +33,7 @@ private:
     const std::string_view host = text_of(request[http::field::host]), target = text_of(request.target());
     if (request.count(http::field::host) != 1 || !host_allowed(host, hub_.names))
       return reply(http::status::forbidden, "This server is not known by that name.\n");
+    host_ok_ = true;
     if (path_of(target) == "/ws" && websocket::is_upgrade(request)) {
       if (request.count(http::field::origin) > 1 || !origin_allowed(text_of(request[http::field::origin]), host))
         return reply(http::status::forbidden, "A page of another site may not connect.\n");
@@ -56,9 +57,7 @@ private:
     };
     set(http::field::content_type, type);
     set(http::field::cache_control, "no-store");
-    set("Content-Security-Policy",
-        "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; "
-        "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'");
+    set("Content-Security-Policy", content_policy());
     set("X-Content-Type-Options", "nosniff");
     set("Referrer-Policy", "no-referrer");
     set("Cross-Origin-Resource-Policy", "same-origin");
@@ -70,6 +69,14 @@ private:
     });
   }
 
+  /// Nothing from elsewhere. Not every browser counts ws: under 'self'; the host is one of ours.
+  [[nodiscard]] std::string content_policy() const {
+    const std::string host(host_ok_ ? text_of(parser_.get()[http::field::host]) : std::string_view());
+    const std::string sockets = host.empty() ? "" : " ws://" + host + " wss://" + host;
+    return "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self'" +
+           sockets + "; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+  }
+
   struct Parser : http::request_parser<http::empty_body> {
     http::request<http::empty_body> release_() { return release(); }
   };
@@ -78,6 +85,7 @@ private:
   Hub& hub_;
   beast::flat_buffer buffer_{longest_header};
   Parser parser_;
+  bool host_ok_ = false;
   http::response<http::string_body> response_;
 };
 

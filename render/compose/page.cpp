@@ -126,9 +126,10 @@ void Page::place_domains() {
       continue;
     }
     const auto [w, h] = extent(s, view_, false);
-    const double metre = std::min(static_cast<double>(room.w) / w, static_cast<double>(room.h) / h);
+    const double metre = view_.zoom * std::min(static_cast<double>(room.w) / w, static_cast<double>(room.h) / h);
     const auto dw = static_cast<float>(metre * w), dh = static_cast<float>(metre * h);
-    const Rect domain{std::round(room.middle_x() - dw / 2), std::round(room.middle_y() - dh / 2), std::round(dw),
+    const auto left = static_cast<float>(view_.target[0]), above = static_cast<float>(1 - view_.target[1]);
+    const Rect domain{std::round(room.middle_x() - left * dw), std::round(room.middle_y() - above * dh), std::round(dw),
                       std::round(dh)};
     views_.push_back({&s, frame, domain, static_cast<float>(metre), palette_.variant(i)});
   }
@@ -182,6 +183,14 @@ std::size_t Page::footer_lines() const {
   return std::min(warnings_.size(), most_warnings) + note_lines();
 }
 
+/// A domain that is larger than its pane is cut at the frame.
+template <class Draw> void Page::within(gui::Ink& ink, const PaneView& v, Draw&& draw) const {
+  const bool larger = view_.zoom != 1 || view_.target[0] != 0.5 || view_.target[1] != 0.5;
+  if (larger) ink.clip(v.frame);
+  draw();
+  if (larger) ink.unclip();
+}
+
 std::string Page::time_text(double time) const {
   const std::string unit = time_unit(frame_);
   const int decimals = unit != "s"                                    ? 0
@@ -199,7 +208,7 @@ void Page::draw_under(gui::Ink& ink) const {
     if (v.camera)
       draw_tank_behind(ink, v, palette_, view_.walls, view_.grid);
     else if (view_.grid)
-      draw_grid(ink, v, palette_);
+      within(ink, v, [&] { draw_grid(ink, v, palette_); });
   }
 }
 
@@ -239,9 +248,11 @@ void Page::draw_pane(gui::Ink& ink, std::size_t i) const {
   if (v.camera) {
     if (view_.walls) draw_tank_before(ink, v, palette_);
   } else {
-    draw_solid_areas(ink, v, palette_);
-    if (view_.walls) draw_walls(ink, v, palette_);
-    if (view_.arrows) draw_arrows(ink, v, palette_, arrow_speed_);
+    within(ink, v, [&] {
+      draw_solid_areas(ink, v, palette_);
+      if (view_.walls) draw_walls(ink, v, palette_);
+      if (view_.arrows) draw_arrows(ink, v, palette_, arrow_speed_);
+    });
   }
   if (!v.snapshot->watermark.empty()) draw_watermark(ink, v.frame, v.snapshot->watermark, palette_);
   ink.frame(v.frame, v.colour, std::round(ink.pt(2)), ink.pt(4));

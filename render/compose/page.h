@@ -34,6 +34,7 @@ private:
   [[nodiscard]] std::size_t note_lines() const;
   [[nodiscard]] std::size_t footer_lines() const;
   void fit_texts(const gui::Fonts& fonts);
+  template <class Draw> void within(gui::Ink& ink, const PaneView& pane, Draw&& draw) const;
   void draw_header(gui::Ink& ink) const;
   void draw_pane(gui::Ink& ink, std::size_t i) const;
   void draw_legend(gui::Ink& ink) const;

@@ -2,6 +2,7 @@
 // Who may come in.
 #include "app/serve/gate.h"
 #include "app/serve/page.h"
+#include "sim/frame/errors.h"
 
 #include <gtest/gtest.h>
 
@@ -19,6 +20,18 @@ TEST(Gate, TokensAreRandomAndLong) {
     EXPECT_EQ(t.size(), 32U);
     EXPECT_EQ(t.find_first_not_of("0123456789abcdef"), std::string::npos);
   }
+}
+
+TEST(Gate, AnotherTokenIsTakenFromTheEnvironmentIfItIsLongAndPlain) {
+  for (const char* bad :
+       {"short", "0123456789abcde", "0123456789abcdef/", "0123456789abcdef ", "0123456789abcdef\u00e9"}) {
+    setenv("FLIPBOOK_TOKEN", bad, 1);
+    EXPECT_THROW((void)chosen_token(), UserError) << bad;
+  }
+  setenv("FLIPBOOK_TOKEN", "0123456789-abc_DEF", 1);
+  EXPECT_EQ(chosen_token(), "0123456789-abc_DEF");
+  unsetenv("FLIPBOOK_TOKEN");
+  EXPECT_NE(chosen_token(), chosen_token());
 }
 
 TEST(Gate, OnlyTheWholeTokenIsRight) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <string>
 #include <thread>
@@ -170,6 +171,8 @@ TEST(Simulator, ParametersThatAHandMovedMoveAgain) {
   player.set("transfer.kernel", std::string("quadratic"));
   player.frames(20);
   expect_replay(player, 20);
+  const auto& channels = player.recorded().back().bundle.snapshots[0]->channels;
+  EXPECT_TRUE(std::any_of(channels.begin(), channels.end(), [](auto& c) { return c.name == "vorticity"; }));
   const auto& first = player.recorded().front().bundle.view;
   EXPECT_FALSE(first.pointer);
   EXPECT_TRUE(first.steady);
