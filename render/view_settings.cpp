@@ -71,8 +71,7 @@ void ViewSettings::describe_camera(ParameterVisitor& v) {
           .min = -90,
           .max = 90},
          elevation);
-  v.real({.name = "zoom", .help = "Magnification; 1: the whole domain fits its pane.", .min = 0.1, .max = 50},
-         zoom);
+  v.real({.name = "zoom", .help = "Magnification; 1: the whole domain fits its pane.", .min = 0.1, .max = 50}, zoom);
   v.reals({.name = "target",
            .help = "What the middle of a pane shows, as fractions of the domain on each axis.",
            .min = -10,

@@ -55,7 +55,8 @@ void Desk::end(const Study& study) {
 }
 
 void Desk::saved(const std::string& kind, const std::string& name, const std::string& more) {
-  const std::string text = "Saved " + (std::filesystem::path(folder_) / name).string() + (more.empty() ? "" : " (" + more + ")");
+  const std::string text =
+      "Saved " + (std::filesystem::path(folder_) / name).string() + (more.empty() ? "" : " (" + more + ")");
   std::printf("%s\n", text.c_str());
   std::fflush(stdout);
   tell_(tell_saved(kind, name, text));

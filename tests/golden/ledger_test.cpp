@@ -154,7 +154,7 @@ LedgerTable solid_ledger() {
   l.claims.assign(size, Claim::none);
   for (std::size_t s = 0; s < l.stages.size(); ++s)
     for (std::size_t q = 0; q < fluid.quantities.size(); ++q) l.total[l.at(s, q)] = fluid.total[fluid.at(s, q)];
-  set_change(l, "advection", "elastic", 212.5);
+  set_change(l, "advection", "elastic", 212.6);
   close(l);
   return l;
 }
