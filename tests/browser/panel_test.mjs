@@ -45,10 +45,23 @@ test("a slider in the picture follows the pointer", async () => {
   await tab.drag(right, { x: left.x + 0.3 * (right.x - left.x), y: right.y });
   const { id } = (await fields(tab)).find((f) => f.label === "flip ratio");
   // The form is told a few times a second.
-  await tab.until(`Math.abs(Number(document.getElementById('${id}').value) - 0.3) < 0.1`, "the form to say three tenths");
+  const close = `Math.abs(Number(document.getElementById('${id}').value) - 0.3) < 0.1`;
+  await tab
+    .until(close, "the form to say three tenths", 10)
+    .catch(async () => assert.fail(`dragged to 0.3, says ${await ratio(tab)}`));
   await sleep(300);
   assert.notEqual((await look(tab)).hash, before.hash);
   assert.deepEqual(tab.errors, []);
+});
+
+test("a phone gets the panes without the panel, whose place the form takes", async () => {
+  const tab = await session.open({ width: 390, height: 844, touch: true });
+  await pause(tab);
+  await sleep(600);
+  const { length } = await track(tab, orange);
+  assert.ok(length < 20, `a track of ${length} pixels`);
+  await openParameters(tab);
+  assert.ok((await fields(tab)).some((f) => f.label === "flip ratio"));
 });
 
 test("the scheme of a pane changes in mid-run", async () => {

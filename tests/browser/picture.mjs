@@ -14,7 +14,7 @@ await tab.until("!document.getElementById('start').disabled", "the controls");
 await tab.click("#start");
 await tab.until("Number(document.getElementById('frame').textContent.slice(6)) >= 22", "the wave to run", 300);
 await tab.click("#tools label:has([value=push])");
-const [from, to] = [await tab.inPicture(0.29, 0.91), await tab.inPicture(0.355, 0.7)];
+const [from, to] = [await tab.inPicture(0.29, 0.91), await tab.inPicture(0.34, 0.77)];
 await tab.press(from);
 for (let i = 0; i <= 60; ++i) {
   const at = { x: from.x + ((to.x - from.x) * i) / 60, y: from.y + ((to.y - from.y) * i) / 60 };

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { setTimeout as sleep } from "node:timers/promises";
 
-import { live, openScene, pause, particles, restart } from "./live.mjs";
+import { fields, live, openParameters, openScene, pause, particles, restart } from "./live.mjs";
 
 const session = live(["assets/scenes/dam_break.toml", "--cells", "32", "--size", "960x540"]);
 
@@ -80,6 +80,21 @@ test("pushes the fluid, and a reset forgets it", async () => {
   await pause(tab);
   await tab.click("#reset");
   await tab.until("document.getElementById('frame').textContent === 'frame 0'", "frame 0");
+  assert.deepEqual(tab.errors, []);
+});
+
+test("keys move and zoom the view of a plane", async () => {
+  const tab = await session.open();
+  await pause(tab);
+  await openParameters(tab);
+  const value = async (label) => (await fields(tab)).find((f) => f.label === label).value;
+  const [zoom, target] = [await value("zoom"), await value("target")];
+  await tab.evaluate("document.getElementById('picture').focus()");
+  await tab.key("+");
+  await tab.key("ArrowRight");
+  for (let tries = 0; tries < 50 && (await value("target")) === target; ++tries) await sleep(100);
+  assert.ok(Number(await value("zoom")) > Number(zoom));
+  assert.notEqual(await value("target"), target);
   assert.deepEqual(tab.errors, []);
 });
 

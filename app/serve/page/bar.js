@@ -95,9 +95,8 @@ export class Bar {
     write($("time"), `${state.time.toFixed(2)} s`);
     write($("frame"), state.busy ? "preparing" : `frame ${state.frame}`);
     $("stage").setAttribute("aria-busy", String(state.busy));
-    write($("run-name"), state.name.replaceAll("_", " "));
     write($("run-size"), `${state.particles.toLocaleString("en")} particles`);
-    document.title = `${state.title || state.name} - Flipbook`;
+    if (state.name !== undefined) this.#showName(state); // nothing is open before the first scene is made
     this.#showRecording(state.recording);
     $("link").hidden = (state.panes?.length ?? 1) < 2;
     $("link").setAttribute("aria-pressed", String(state.linked));
@@ -108,6 +107,12 @@ export class Bar {
     if (solid.disabled && solid.checked) this.take("camera");
     $("picture").style.cursor = this.tool === "camera" && state.cursor !== "default" ? state.cursor : "";
     this.#enable();
+  }
+
+  #showName({ name, title }) {
+    write($("run-name"), name.replaceAll("_", " "));
+    const heading = `${title || name} - Flipbook`;
+    if (document.title !== heading) document.title = heading;
   }
 
   #showRecording(recording) {

@@ -38,7 +38,7 @@ function flag(p, { id, set }) {
 
 function choice(p, { id, set }) {
   const list = make("select", { id });
-  list.append(...p.options.map((o) => make("option", { value: o, textContent: o })));
+  list.append(...p.options.map((o, i) => make("option", { value: o, textContent: o, title: p.option_help?.[i] ?? "" })));
   list.addEventListener("change", () => set(list.value));
   return { parts: [list], main: list, write: (v) => (list.value = v) };
 }
@@ -84,11 +84,14 @@ function text(p, { id, dim, set }) {
 
 const kinds = { flag, choice, real: number, integer: number, text, names: text, reals: text, integers: text };
 
+/// What the ends of a range mean: "0 PIC, 1 FLIP".
+const ends = (p) => [p.at_min && `${p.min} ${p.at_min}`, p.at_max && `${p.max} ${p.at_max}`].filter(Boolean).join(", ");
+
 /// {row, show(value)}; `set(value)` is called when a person changes it.
 export function makeField(p, { id, label, of, dim, set }) {
   const name = of ? `${label}, ${of}` : label;
   const field = kinds[p.kind](p, { id, label: name, dim, set });
-  const row = make("div", { className: "row", title: p.help });
+  const row = make("div", { className: "row", title: [p.help, ends(p)].filter(Boolean).join("\n") });
   const title = make("label", { htmlFor: id, textContent: label });
   if (of) title.append(" ", make("span", { className: "of", textContent: of }));
   if (p.restart) title.append(" ", make("span", { className: "of", textContent: "starts again" }));

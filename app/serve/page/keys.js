@@ -2,8 +2,25 @@
 // The keyboard: shortcuts, the camera while the picture has the focus, and every key to a text box inside the picture.
 
 const preference = "flipbook-shortcuts";
-const turn = 5; // degrees a key
-const zoomFactor = 1.1;
+
+// What a key does to the camera: which parameter, and how its value changes.
+const turn = 5; // degrees
+const turns = {
+  ArrowLeft: ["view.azimuth", (x) => x - turn],
+  ArrowRight: ["view.azimuth", (x) => x + turn],
+  ArrowUp: ["view.elevation", (x) => Math.min(90, x + turn)],
+  ArrowDown: ["view.elevation", (x) => Math.max(-90, x - turn)],
+};
+const step = 0.05; // of the domain
+const pans = {
+  ArrowLeft: ["view.target", ([x, y, z]) => [x - step, y, z]],
+  ArrowRight: ["view.target", ([x, y, z]) => [x + step, y, z]],
+  ArrowUp: ["view.target", ([x, y, z]) => [x, y + step, z]],
+  ArrowDown: ["view.target", ([x, y, z]) => [x, y - step, z]],
+};
+const closer = ["view.zoom", (x) => Math.min(50, x * 1.1)];
+const zooms = { "+": closer, "=": closer, "-": ["view.zoom", (x) => Math.max(0.1, x / 1.1)] };
+
 const typed = new Set(["INPUT", "SELECT", "TEXTAREA"]);
 
 /// What `event` is called in a table of shortcuts: "Space", "Home", "n", "?".
@@ -54,17 +71,9 @@ export class Keys {
   }
 
   #camera(e) {
-    const moves = {
-      ArrowLeft: ["view.azimuth", (x) => x - turn],
-      ArrowRight: ["view.azimuth", (x) => x + turn],
-      ArrowUp: ["view.elevation", (x) => Math.min(90, x + turn)],
-      ArrowDown: ["view.elevation", (x) => Math.max(-90, x - turn)],
-      "+": ["view.zoom", (x) => Math.min(50, x * zoomFactor)],
-      "=": ["view.zoom", (x) => Math.min(50, x * zoomFactor)],
-      "-": ["view.zoom", (x) => Math.max(0.1, x / zoomFactor)],
-    };
-    const move = moves[e.key];
-    if (!move || this.#app.state()?.dim !== 3) return false;
+    const dim = this.#app.state()?.dim;
+    const move = zooms[e.key] ?? (dim === 3 ? turns : pans)[e.key];
+    if (!move || dim === undefined) return false;
     this.#app.camera(...move);
     return true;
   }

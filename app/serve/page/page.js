@@ -205,8 +205,10 @@ function tellSize() {
   const size = { width: within(width, 320, 3840), height: within(height, 240, 2160) };
   const now = state?.pictures;
   if (clients > 1 && now && size.width * size.height < now.width * now.height) return;
-  connection.say({ type: "view", ...size });
+  // A panel would leave little of a phone's picture to the run; the form is below it.
+  connection.say({ type: "view", ...size, panel: !phone.matches });
 }
+const phone = matchMedia("(max-width: 40rem), (max-height: 30rem)");
 let settling = 0;
 new ResizeObserver(() => {
   clearTimeout(settling);
