@@ -19,7 +19,7 @@ const cases = own.filter((a) => a !== "--").length
   ? [own.filter((a) => a !== "--")]
   : [
       ["assets/scenes/dam_break.toml", "--set", "transfer.scheme=apic", "--cells", "128"],
-      ["assets/scenes/dam_break.toml", "--set", "transfer.scheme=apic", "--dim", "3", "--cells", "40"],
+      ["assets/scenes/dam_break.toml", "--set", "transfer.scheme=apic", "--dim", "3", "--cells", "34"],
     ];
 
 const quantile = (sorted, q) => sorted[Math.min(sorted.length - 1, Math.floor(q * sorted.length))] ?? NaN;
