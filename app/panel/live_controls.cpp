@@ -76,8 +76,8 @@ private:
     if (touched) ink_.ring({grip, box_.middle_y()}, handle / 2 + pt(2.5F), area_.palette.text.alpha(0.55), pt(1.5F));
     ImGui::PopStyleColor(3);
     ImGui::PopStyleVar(2);
-    if (x == before) return std::nullopt;
-    return Value(rounded(scale.unwarp(x)));
+    const double next = x == before ? now : rounded(scale.unwarp(x));
+    return next == now ? std::nullopt : std::optional(Value(next));
   }
 
   /// To what a pixel of the slider can tell: a study that is saved should say 0.62, not fifteen digits of it.

@@ -37,6 +37,7 @@ public:
     timeout.keep_alive_pings = true;
     ws_.set_option(timeout);
     ws_.read_message_max(longest_message);
+    ws_.auto_fragment(false);
     ws_.async_accept(request, [self = shared_from_this()](Error e) {
       if (!e) self->opened();
     });

@@ -146,11 +146,13 @@ void LiveGui::take(const GuiEvent& e) {
 }
 
 void LiveGui::run(std::span<const GuiEvent> events, double seconds, const std::function<void()>& widgets) {
-  // Moves are one with what follows them; a change of a button or a key has a pass of its own.
+  // Moves are one; every change of a button or a key has a pass of its own, where the pointer is already: a widget that
+  // is let go does not look where.
   std::size_t i = 0;
   do {
+    const std::size_t first = i;
     while (i < events.size() && events[i].kind == GuiEvent::Kind::move) take(events[i++]);
-    if (i < events.size()) take(events[i++]);
+    if (i == first && i < events.size()) take(events[i++]);
     pass(seconds, widgets);
     seconds = 0;
   } while (i < events.size());

@@ -132,7 +132,8 @@ TEST_F(LivePanelTest, AListStaysOpenUntilSomethingIsChosen) {
   (void)draw();
   EXPECT_TRUE(gui_.holds_pointer());
   std::vector<PanelEdit> chosen;
-  for (float y = r.bottom() + 8; chosen.empty() && y < r.bottom() + 120; y += 10) chosen = click(r.middle_x(), y);
+  for (float y = r.bottom() + 28; chosen.empty() && y < r.bottom() + 60; y += 4) // below the first, which is chosen
+    chosen = click(r.middle_x(), y);
   ASSERT_EQ(chosen.size(), 1U);
   EXPECT_NE(std::get<std::string>(chosen[0].value), "pic");
 }
