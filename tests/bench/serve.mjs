@@ -5,7 +5,7 @@
 import { setTimeout as sleep } from "node:timers/promises";
 
 import { Browser } from "../browser/chromium.mjs";
-import { connected } from "../browser/live.mjs";
+import { connected, scene } from "../browser/live.mjs";
 import { Program } from "../browser/program.mjs";
 
 const own = process.argv.slice(2);
@@ -18,8 +18,8 @@ const [width, height] = option("window", "1280x720").split("x").map(Number);
 const cases = own.filter((a) => a !== "--").length
   ? [own.filter((a) => a !== "--")]
   : [
-      ["assets/scenes/dam_break.toml", "--set", "transfer.scheme=apic", "--cells", "128"],
-      ["assets/scenes/dam_break.toml", "--set", "transfer.scheme=apic", "--dim", "3", "--cells", "34"],
+      [scene, "--set", "transfer.scheme=apic", "--cells", "128"],
+      [scene, "--set", "transfer.scheme=apic", "--dim", "3", "--cells", "34"],
     ];
 
 const quantile = (sorted, q) => sorted[Math.min(sorted.length - 1, Math.floor(q * sorted.length))] ?? NaN;

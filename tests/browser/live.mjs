@@ -5,6 +5,9 @@ import { after, afterEach, before } from "node:test";
 import { Browser } from "./chromium.mjs";
 import { Program } from "./program.mjs";
 
+/// One pane; the name alone is that of a study with four.
+export const scene = new URL("../../assets/scenes/dam_break.toml", import.meta.url).pathname;
+
 /// Few cells: the tests are about the page. Two panes that differ in one parameter.
 export const small = ["dam_break", "--set", "grid.cells=[32,32]", "--size", "960x540"];
 
@@ -27,7 +30,8 @@ export function live(what = small, options = {}) {
     },
   };
   before(async () => {
-    [session.program, session.browser] = await Promise.all([Program.start(what, options), new Browser()]);
+    session.program = await Program.start(what, options);
+    session.browser = new Browser();
   });
   afterEach(async () => {
     await Promise.all(session.tabs.splice(0).map((tab) => tab.close().catch(() => {}))); // some were closed by their test

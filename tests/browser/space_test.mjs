@@ -4,9 +4,9 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { setTimeout as sleep } from "node:timers/promises";
 
-import { fields, live, look, openParameters, pause } from "./live.mjs";
+import { fields, live, look, openParameters, pause, scene } from "./live.mjs";
 
-const session = live(["assets/scenes/dam_break.toml", "--dim", "3", "--cells", "16", "--size", "960x540"]);
+const session = live([scene, "--dim", "3", "--cells", "16", "--size", "960x540"]);
 
 /// azimuth, elevation and zoom as the form says them.
 async function camera(tab) {

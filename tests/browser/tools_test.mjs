@@ -4,9 +4,9 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { setTimeout as sleep } from "node:timers/promises";
 
-import { fields, live, openParameters, openScene, pause, particles, restart } from "./live.mjs";
+import { fields, live, openParameters, openScene, pause, particles, restart, scene } from "./live.mjs";
 
-const session = live(["assets/scenes/dam_break.toml", "--cells", "32", "--size", "960x540"]);
+const session = live([scene, "--cells", "32", "--size", "960x540"]);
 
 /// Of the run so far, as the chooser warns.
 async function edits(tab) {
