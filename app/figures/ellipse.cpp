@@ -98,8 +98,8 @@ public:
     Assignment cells{"grid.cells", static_cast<double>(cells_), {}};
     complete_cells(cells, s);
     assign(s, cells);
-    assign(s, {"view.colour", std::string("pressure"), {}});
-    assign(s, {"view.range", std::vector<double>{0, 0.5}, {}});
+    assign(s, {"view.colour", std::string("speed"), {}});
+    assign(s, {"view.range", std::vector<double>{0, 2}, {}});
     assign(s, {"view.theme", std::string("light"), {}});
     const Resolved resolved = resolve(s);
     Shots shots = take_shots(resolved, times, lab);

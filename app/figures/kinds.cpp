@@ -21,6 +21,7 @@ std::span<const FigureKindEntry> figure_kinds() {
       {"ellipse", "the elliptical drop against its exact outline", ellipse_figure},
       {"residual", "how pressure solvers converge, and what it costs to stop early", residual_figure},
       {"damping", "what survives over flip_ratio and the time step", damping_figure},
+      {"spin", "what two readings of RPIC keep of a shear flow", spin_figure},
   });
   return all;
 }

@@ -20,5 +20,6 @@ std::unique_ptr<FigureKind> pictures_and_charts_figure();
 std::unique_ptr<FigureKind> ellipse_figure();
 std::unique_ptr<FigureKind> residual_figure();
 std::unique_ptr<FigureKind> damping_figure();
+std::unique_ptr<FigureKind> spin_figure();
 
 } // namespace flipbook::app

@@ -135,13 +135,13 @@ private:
         edge({j, k, 0}, {j, k, 1}, j == 0 && k == 1);
       }
     const auto arrow = [&](std::array<double, 3> c, std::array<double, 3> d, std::size_t axis) {
-      draw_arrow(f.pen, at(c[0] - 0.22 * d[0], c[1] - 0.3 * d[1], c[2] - 0.22 * d[2]),
-                 at(c[0] + 0.22 * d[0], c[1] + 0.3 * d[1], c[2] + 0.22 * d[2]), of_axis[axis], 2.2);
+      draw_arrow(f.pen, at(c[0] - 0.22 * d[0], c[1] - 0.24 * d[1], c[2] - 0.22 * d[2]),
+                 at(c[0] + 0.22 * d[0], c[1] + 0.24 * d[1], c[2] + 0.22 * d[2]), of_axis[axis], 2.2);
     };
     arrow({0, 0.5, 0.5}, {1, 0, 0}, 0);
     arrow({0.5, 0, 0.5}, {0, 1, 0}, 1);
     arrow({0.5, 0.5, 0}, {0, 0, 1}, 2);
-    const ChartPoint p = at(0.62, 0.5, 0.72);
+    const ChartPoint p = at(0.5, 0.5, 0.5);
     f.pen.disc(p, 4, of_pressure);
     f.pen.text({p.x + 7, p.y + 4}, "$p_{ijk}$", usual_text, of_pressure);
     const auto label = [&](std::array<double, 3> c, double dx, double dy, const char* text, std::size_t axis) {
@@ -158,7 +158,7 @@ private:
   /// The four u faces around a particle; the rectangle opposite to each is its weight.
   void draw_splat(const Frame& f) const {
     const double lo_x = samples_[0].x, lo_y = samples_[0].y;
-    const auto at = [&](double x, double y) { return f.at(0.2 + 0.6 * (x - lo_x), 0.22 + 0.6 * (y - lo_y)); };
+    const auto at = [&](double x, double y) { return f.at(0.2 + 0.6 * (x - lo_x), 0.26 + 0.56 * (y - lo_y)); };
     static const std::array<render::Colour, 4> tint{light().variant(0), light().variant(1), light().variant(2),
                                                     light().variant(3)};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -171,15 +171,14 @@ private:
     for (std::size_t i = 0; i < 4; ++i) {
       const TouchedSample& s = samples_[i];
       const ChartPoint p = at(s.x, s.y);
-      f.pen.line({p.x, p.y - 0.14 * f.size}, {p.x, p.y + 0.14 * f.size}, light().accent, 1.3);
+      f.pen.line({p.x, p.y - 0.13 * f.size}, {p.x, p.y + 0.13 * f.size}, light().accent, 1.3);
       draw_arrow(f.pen, {p.x - 11, p.y}, {p.x + 11, p.y}, tint[i], 2.2);
       const bool upper = s.y > lo_y;
-      f.pen.text({p.x, p.y + (upper ? -0.155 * f.size : 0.155 * f.size + 9)}, signed_text(s.weight), usual_text,
+      f.pen.text({p.x, p.y + (upper ? -0.15 * f.size - 2 : 0.15 * f.size + 11)}, signed_text(s.weight), usual_text,
                  tint[i], Weight::bold, Align::centre);
     }
     f.pen.disc(at(particle_.x, particle_.y), 4.2, light().text);
-    f.foot("$w = (1 − w_0)(1 − w_1)$, ...");
-    f.foot("they add up to 1", 1);
+    f.foot("as $(1 − w_0)(1 − w_1)$; the sum is 1");
   }
 
   void draw_divergence(const Frame& f) const {
@@ -187,7 +186,7 @@ private:
     const ChartPoint a = f.at(lo, hi), b = f.at(hi, lo);
     f.pen.fill(rect(a.x, a.y, b.x - a.x, b.y - a.y), of_pressure.alpha(0.08));
     f.pen.outline(rect(a.x, a.y, b.x - a.x, b.y - a.y), light().accent, 1.3);
-    const double scale = 0.3 * f.size;
+    const double scale = 0.42 * f.size;
     const auto across = [&](double x, double u) {
       const ChartPoint p = f.at(x, 0.5);
       draw_arrow(f.pen, {p.x - scale * u / 2, p.y}, {p.x + scale * u / 2, p.y}, of_axis[0], 2.2);

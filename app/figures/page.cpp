@@ -28,7 +28,7 @@ double draw_all(Pen& pen, const FigureSpec& spec, const FigureBody& body, const 
   }
   y = body.draw({pen, margin, y, width - 2 * margin, pictures});
   if (!look.bare) {
-    y += 8;
+    y += 12;
     for (const std::string& line : pen.wrapped(spec.caption, caption_size, width - 2 * margin)) {
       pen.text({margin, y + caption_size - 1}, line, caption_size, light.muted);
       y += caption_line;

@@ -75,7 +75,7 @@ private:
       series.named = render::ChartSeries::Named::legend;
       for (std::size_t n = 0; n < all.size(); ++n) {
         const double r = results[s * all.size() + n];
-        if (n > 0 && r >= series.y.back() && r < 10 * smallest) break; // it has arrived
+        if (!series.y.empty() && series.y.back() < 10 * smallest) break; // it has arrived
         series.x.push_back(all[n]);
         series.y.push_back(std::max(r, smallest));
       }
@@ -85,7 +85,7 @@ private:
   }
 
   static constexpr double smallest = 1e-13;
-  std::string scene_ = "dam_break";
+  std::string scene_ = "still_pool";
   int cells_ = 64, iterations_ = 400;
   Curves volume_;
 };

@@ -51,14 +51,27 @@ FigureSpec read_figure(const std::string& name_or_path, bool fast) {
   return spec;
 }
 
-std::vector<std::string> list_figures() {
-  std::vector<std::pair<double, std::string>> all;
-  for (const std::string& name : list_assets("figures")) {
+namespace {
+
+constexpr double last_place = 999;
+
+/// Where a figure says that it stands; last where its file cannot be read, which is no moment for a message.
+double place_of(const std::string& name) {
+  try {
     const auto path = find_asset("figures", name);
     const Node root = path ? parse_toml(read_text_file(*path), *path) : Node{};
     const Node* number = root.find("number");
-    all.emplace_back(number ? number->number : 999, name);
+    return number && number->type == Node::Type::number ? number->number : last_place;
+  } catch (const UserError&) {
+    return last_place;
   }
+}
+
+} // namespace
+
+std::vector<std::string> list_figures() {
+  std::vector<std::pair<double, std::string>> all;
+  for (const std::string& name : list_assets("figures")) all.emplace_back(place_of(name), name);
   std::sort(all.begin(), all.end());
   std::vector<std::string> names;
   for (const auto& [number, name] : all) names.push_back(name);

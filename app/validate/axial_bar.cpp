@@ -115,7 +115,7 @@ private:
   static void chart(const ValidationRequest& request, const std::vector<SolidScheme>& schemes,
                     const std::vector<int>& sizes, const Results& results, int periods, ValidationReport& report) {
     const double end = periods * exact_period;
-    render::ChartPanel velocity{.title = "Velocity of the centre of mass (mm/s)", .x = {.label = "t (s)"}, .y = {}};
+    render::ChartPanel velocity{.title = "Velocity of the centre of mass (mm/s)", .x = {.label = "$t$ (s)"}, .y = {}};
     render::ChartPanel period{
         .title = "Error of the period (%)", .x = {.label = "cells along the domain", .logarithmic = true}, .y = {}};
     velocity.x.range = {{0, end}};

@@ -137,7 +137,7 @@ private:
 
   static void chart(const std::vector<SolidScheme>& schemes, const std::vector<int>& sizes, const Results& results,
                     int periods, ValidationReport& report) {
-    render::ChartPanel tip{.title = "Tip of the beam (mm)", .x = {.label = "t (s)"}, .y = {}};
+    render::ChartPanel tip{.title = "Tip of the beam (mm)", .x = {.label = "$t$ (s)"}, .y = {}};
     render::ChartPanel period{
         .title = "Period (s)", .x = {.label = "cells along the domain", .logarithmic = true}, .y = {}};
     tip.x.range = {{0, periods * exact_period}};

@@ -169,9 +169,9 @@ private:
   static void chart(const std::vector<std::string>& schemes, const std::vector<int>& sizes, const Results& results,
                     const std::vector<double>& T, const std::vector<double>& tau, ValidationReport& report) {
     render::ChartPanel front{
-        .title = "Front Z = x / a", .x = {.label = "T = t √(2 g / a)", .range = {{0, last}}}, .y = {}};
-    render::ChartPanel height{.title = "Height at the wall H = η / 2a",
-                              .x = {.label = "τ = t √(g / a)", .range = {{0, last / std::numbers::sqrt2}}},
+        .title = "Front, $Z = x/a$", .x = {.label = "$T = t √(2g/a)$", .range = {{0, last}}}, .y = {}};
+    render::ChartPanel height{.title = "Height at the wall, $H = η/2a$",
+                              .x = {.label = "$τ = t √(g/a)$", .range = {{0, last / std::numbers::sqrt2}}},
                               .y = {}};
     const auto points = [](const char* label, const ReferenceData& d, double most) {
       render::ChartSeries s = exact_series(label, {}, {}, render::ChartSeries::Style::points);

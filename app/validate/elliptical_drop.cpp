@@ -173,8 +173,8 @@ private:
   static void chart(const std::vector<std::string>& schemes, const std::vector<int>& sizes, const Results& results,
                     ValidationReport& report) {
     const std::size_t finest = sizes.size() - 1;
-    render::ChartPanel shape{.title = "Semi-axes of the drop (m)", .x = {.label = "t (s)"}, .y = {}};
-    render::ChartPanel pressure{.title = "Pressure at its centre (Pa)", .x = {.label = "t (s)"}, .y = {}};
+    render::ChartPanel shape{.title = "Semi-axes of the drop (m)", .x = {.label = "$t$ (s)"}, .y = {}};
+    render::ChartPanel pressure{.title = "Pressure at its centre (Pa)", .x = {.label = "$t$ (s)"}, .y = {}};
     const auto exact_a = curve(0, end, 101, exact_axis);
     const auto exact_b = curve(0, end, 101, [](double t) { return 1 / exact_axis(t); });
     const auto exact_p = curve(0, end, 101, exact_pressure);

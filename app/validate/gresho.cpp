@@ -127,8 +127,8 @@ private:
 
   static void chart(const ValidationRequest& request, const std::vector<std::string>& schemes,
                     const std::vector<int>& sizes, const Results& results, ValidationReport& report) {
-    render::ChartPanel profile{.title = "Speed around the centre at t = 1 (m/s)",
-                               .x = {.label = "r (m)", .range = {{0, 0.5}}},
+    render::ChartPanel profile{.title = "Speed around the centre at $t$ = 1 s (m/s)",
+                               .x = {.label = "$r$ (m)", .range = {{0, 0.5}}},
                                .y = {.label = "", .range = {{0, 1}}}};
     render::ChartPanel error{.title = "Relative error of the velocity",
                              .x = {.label = "cells along the side", .logarithmic = true},

@@ -81,7 +81,7 @@ public:
     const auto measure = [&](const Setup& s, int seed) { return watch(*start(scene, s, seed, lab.pool)); };
     render::ChartPanel pressure{.title = "Pressure over height (kPa), jittered", .x = {.label = "y (m)"}, .y = {}};
     render::ChartPanel speed{
-        .title = "Largest particle speed (m/s)", .x = {.label = "t (s)"}, .y = {.label = "", .logarithmic = true}};
+        .title = "Largest particle speed (m/s)", .x = {.label = "$t$ (s)"}, .y = {.label = "", .logarithmic = true}};
     pressure.series.push_back(exact_series("exact", {0, depth}, {density * gravity * depth / 1000, 0}));
     for (const bool jittered : {true, false}) {
       const std::string pattern = jittered ? "jittered" : "regular";

@@ -111,7 +111,7 @@ public:
       return watch(*start(scene, s, seed, lab.pool), s);
     });
     render::ChartPanel growth{.title = "Core radius squared (10⁻³ m²), " + std::to_string(sizes[0]) + "² cells",
-                              .x = {.label = "t (s)"},
+                              .x = {.label = "$t$ (s)"},
                               .y = {}};
     render::ChartPanel viscosity{
         .title = "Viscosity ν Δt / Δx²", .x = {.label = "cells along the side", .names = {}}, .y = {}};

@@ -217,9 +217,9 @@ private:
                     const std::vector<std::vector<Course>>& results, const Course& points, double end,
                     ValidationReport& report) {
     render::ChartPanel ahead{
-        .title = "Lead of the inner pair (m)", .x = {.label = "t (s)", .range = {{0, end}}}, .y = {}};
+        .title = "Lead of the inner pair (m)", .x = {.label = "$t$ (s)", .range = {{0, end}}}, .y = {}};
     render::ChartPanel apart{
-        .title = "Distance within a side (m)", .x = {.label = "t (s)", .range = {{0, end}}}, .y = {}};
+        .title = "Distance within a side (m)", .x = {.label = "$t$ (s)", .range = {{0, end}}}, .y = {}};
     std::vector<double> t, lead, distance;
     for (std::size_t i = 0; i < points.t.size() && points.t[i] <= end; i += 5) {
       t.push_back(points.t[i]);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/validate/report_text.h"
 
+#include "render/chart/rich_text.h"
+
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -126,7 +128,8 @@ std::string curves_text(const ValidationReport& report) {
   for (const render::ChartPanel& p : report.chart.panels)
     for (const render::ChartSeries& s : p.series)
       for (std::size_t i = 0; i < s.x.size() && i < s.y.size(); ++i) {
-        text += field(p.title) + ',' + field(s.label) + ',' + exact_number(s.x[i]) + ',' + exact_number(s.y[i]);
+        text += field(render::plain_text(p.title)) + ',' + field(render::plain_text(s.label)) + ',' +
+                exact_number(s.x[i]) + ',' + exact_number(s.y[i]);
         text +=
             ',' + (i < s.lo.size() ? exact_number(s.lo[i]) : "") + ',' + (i < s.hi.size() ? exact_number(s.hi[i]) : "");
         text += '\n';

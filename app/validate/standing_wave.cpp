@@ -126,7 +126,7 @@ private:
 
   static void chart(const std::vector<std::string>& schemes, const std::vector<int>& sizes, const Results& results,
                     double end, ValidationReport& report) {
-    render::ChartPanel wave{.title = "Amplitude of the first mode (mm)", .x = {.label = "t (s)"}, .y = {}};
+    render::ChartPanel wave{.title = "Amplitude of the first mode (mm)", .x = {.label = "$t$ (s)"}, .y = {}};
     render::ChartPanel period{
         .title = "Error of the period (%)", .x = {.label = "cells along the tank", .logarithmic = true}, .y = {}};
     wave.x.range = {{0, end}};

@@ -77,7 +77,7 @@ public:
     }
     for (std::size_t strength = 0; strength < strengths.size(); ++strength) {
       render::ChartPanel panel{.title = strength == 0 ? "Volume over the exact" : "The same with fluid.spacing = 1",
-                               .x = {.label = "t (s)"},
+                               .x = {.label = "$t$ (s)"},
                                .y = {}};
       for (std::size_t s = 0; s < schemes.size(); ++s) {
         const auto& seeds = results[strength * per_strength + (s + 1) * sizes.size() - 1];

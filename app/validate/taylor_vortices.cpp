@@ -100,7 +100,7 @@ public:
     const auto results = run_setups(setups, request.seeds, lab, [&](const Setup& s, int seed) {
       return watch(*start(scene, s, seed, lab.pool), end);
     });
-    render::ChartPanel apart{.title = "Distance of the vortices (m)", .x = {.label = "t (s)"}, .y = {}};
+    render::ChartPanel apart{.title = "Distance of the vortices (m)", .x = {.label = "$t$ (s)"}, .y = {}};
     render::ChartPanel left_over{.title = "Enstrophy left",
                                  .x = {.label = "cells along the side", .logarithmic = true},
                                  .y = {.label = "", .range = {{0, 1}}}};

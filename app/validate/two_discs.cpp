@@ -124,8 +124,8 @@ private:
   static void chart(const std::vector<SolidScheme>& schemes, const std::vector<int>& sizes, const Results& results,
                     ValidationReport& report) {
     render::ChartPanel total{
-        .title = "Kinetic and elastic energy (J)", .x = {.label = "t (s)", .range = {{0, end}}}, .y = {}};
-    render::ChartPanel kinetic{.title = "Kinetic energy (J)", .x = {.label = "t (s)", .range = {{0, end}}}, .y = {}};
+        .title = "Kinetic and elastic energy (J)", .x = {.label = "$t$ (s)", .range = {{0, end}}}, .y = {}};
+    render::ChartPanel kinetic{.title = "Kinetic energy (J)", .x = {.label = "$t$ (s)", .range = {{0, end}}}, .y = {}};
     for (std::size_t s = 0; s < schemes.size(); ++s) {
       const auto& seeds = results[(s + 1) * sizes.size() - 1];
       render::ChartSeries sum;

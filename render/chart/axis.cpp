@@ -13,7 +13,7 @@ namespace {
 /// 0.001 to 1000 as they are, others as powers of ten: 10⁻⁴.
 std::string power_label(double value) {
   static const std::array<const char*, 10> raised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  if (value > 0.00099 && value < 1001) return number(value, 3);
+  if (value > 0.00099 && value < 1001) return number(value, 4);
   const double exponent = std::floor(std::log10(value) + 1e-9);
   const double factor = value / std::pow(10, exponent);
   std::string text = factor < 1.5 ? "10" : number(factor, 1) + "·10";
