@@ -102,6 +102,7 @@ Strip strip_of(const Resolved& resolved, Shots shots, const StripAxis& rows, con
       .rows = rows.labels, .columns = columns.labels, .shots = {}, .view = view_of(resolved, shots), .window = {}};
   const Snapshot& first = *shots.at.front().front();
   strip.window = {{first.lo[0], first.lo[1]}, {first.hi[0], first.hi[1]}};
+  strip.walls = !first.periodic[0] && !first.periodic[1];
   const std::size_t times = shots.at.front().size();
   if (!rows.times.empty()) { // columns are the variants
     if (columns.empty()) strip.columns = shots.titles;

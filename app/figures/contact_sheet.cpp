@@ -10,7 +10,7 @@ namespace flipbook::app {
 
 namespace {
 
-constexpr int columns = 3, cell_width = 520, gap = 24, label = 26; // pixels
+constexpr int columns = 4, cell_width = 376, gap = 20, label = 22; // pixels
 
 } // namespace
 
@@ -39,7 +39,7 @@ render::Image ContactSheet::image() const {
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const render::Area& place = places[i];
     const render::Rect box = place.rect();
-    pen.text({static_cast<double>(place.x), place.y - 9.0}, entries_[i].name, 14, light.muted, render::Weight::bold);
+    pen.text({static_cast<double>(place.x), place.y - 7.0}, entries_[i].name, 12, light.muted, render::Weight::bold);
     pen.picture(entries_[i].picture, box);
     pen.outline(box, light.line, 1);
   }

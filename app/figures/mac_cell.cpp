@@ -158,7 +158,7 @@ private:
   /// The four u faces around a particle; the rectangle opposite to each is its weight.
   void draw_splat(const Frame& f) const {
     const double lo_x = samples_[0].x, lo_y = samples_[0].y;
-    const auto at = [&](double x, double y) { return f.at(0.2 + 0.6 * (x - lo_x), 0.26 + 0.56 * (y - lo_y)); };
+    const auto at = [&](double x, double y) { return f.at(0.2 + 0.6 * (x - lo_x), 0.24 + 0.53 * (y - lo_y)); };
     static const std::array<render::Colour, 4> tint{light().variant(0), light().variant(1), light().variant(2),
                                                     light().variant(3)};
     for (std::size_t i = 0; i < 4; ++i) {
