@@ -2,7 +2,7 @@
 // One parameter as a labelled field of the form, by its kind: a switch, a choice, a slider with a number, a text.
 
 const make = (tag, more = {}) => Object.assign(document.createElement(tag), more);
-const digits = (x) => String(Number(Number(x).toPrecision(6)));
+const digits = (x) => String(Number.isInteger(Number(x)) ? x : Number(Number(x).toPrecision(5)));
 const numbers = (text) =>
   text
     .split(/[\s,;×]+/)
@@ -33,24 +33,25 @@ function stepOf(p) {
 function flag(p, { id, set }) {
   const box = make("input", { type: "checkbox", id });
   box.addEventListener("change", () => set(box.checked));
-  return { parts: [box], main: box, write: (v) => (box.checked = v) };
+  return { parts: [box], write: (v) => (box.checked = v) };
 }
 
 function choice(p, { id, set }) {
   const list = make("select", { id });
   list.append(...p.options.map((o, i) => make("option", { value: o, textContent: o, title: p.option_help?.[i] ?? "" })));
   list.addEventListener("change", () => set(list.value));
-  return { parts: [list], main: list, write: (v) => (list.value = v) };
+  return { parts: [list], write: (v) => (list.value = v) };
 }
 
-function number(p, { id, label, set }) {
+function number(p, { id, set }) {
   const box = make("input", { type: "number", id, step: "any" });
   if (p.min !== null) box.min = p.min;
   if (p.max !== null) box.max = p.max;
   box.addEventListener("change", () => (box.value !== "" && box.checkValidity() ? set(box.valueAsNumber) : box.reportValidity()));
   const ranged = p.min !== null && p.max !== null && p.max > p.min && !p.restart;
-  if (!ranged) return { parts: [box], main: box, write: (v) => (box.value = digits(v)) };
-  const slider = make("input", { type: "range", min: p.min, max: p.max, step: stepOf(p), ariaLabel: `${label}, slider` });
+  if (!ranged) return { parts: [box], write: (v) => (box.value = digits(v)) };
+  const slider = make("input", { type: "range", min: p.min, max: p.max, step: stepOf(p) });
+  slider.setAttribute("aria-labelledby", `${id}-label`);
   const show = (v) => {
     slider.value = v;
     fill(slider);
@@ -66,7 +67,7 @@ function number(p, { id, label, set }) {
       set(slider.valueAsNumber);
     });
   });
-  return { parts: [box], below: slider, main: box, write: (v) => ((box.value = digits(v)), show(v)) };
+  return { parts: [box], below: slider, write: (v) => ((box.value = digits(v)), show(v)) };
 }
 
 function text(p, { id, dim, set }) {
@@ -79,7 +80,7 @@ function text(p, { id, dim, set }) {
     if (wrong) box.reportValidity();
     else set(value);
   });
-  return { parts: [box], main: box, write: (v) => (box.value = write(v, dim)) };
+  return { parts: [box], write: (v) => (box.value = write(v, dim)) };
 }
 
 const kinds = { flag, choice, real: number, integer: number, text, names: text, reals: text, integers: text };
@@ -87,13 +88,13 @@ const kinds = { flag, choice, real: number, integer: number, text, names: text, 
 /// What the ends of a range mean: "0 PIC, 1 FLIP".
 const ends = (p) => [p.at_min && `${p.min} ${p.at_min}`, p.at_max && `${p.max} ${p.at_max}`].filter(Boolean).join(", ");
 
-/// {row, show(value)}; `set(value)` is called when a person changes it.
+/// {row, show(value, of)}: `of` is the title of its pane, which says its parameters; `set(value)` is called when a person changes it.
 export function makeField(p, { id, label, of, dim, set }) {
-  const name = of ? `${label}, ${of}` : label;
-  const field = kinds[p.kind](p, { id, label: name, dim, set });
+  const field = kinds[p.kind](p, { id, dim, set });
   const row = make("div", { className: "row", title: [p.help, ends(p)].filter(Boolean).join("\n") });
-  const title = make("label", { htmlFor: id, textContent: label });
-  if (of) title.append(" ", make("span", { className: "of", textContent: of }));
+  const title = make("label", { id: `${id}-label`, htmlFor: id, textContent: label });
+  const pane = make("span", { className: "of", textContent: of ?? "" });
+  if (of) title.append(" ", pane);
   if (p.restart) title.append(" ", make("span", { className: "of", textContent: "starts again" }));
   const value = make("span", { className: "value" });
   value.append(...field.parts);
@@ -102,5 +103,9 @@ export function makeField(p, { id, label, of, dim, set }) {
   if (field.below) row.append(field.below);
   const held = () => row.contains(document.activeElement) && document.activeElement.type !== "checkbox";
   // What a person is at stays as it is: an answer that is under way must not move it back.
-  return { row, show: (v) => held() || field.write(v) };
+  const show = (value, of) => {
+    if (of && pane.textContent !== of) pane.textContent = of;
+    if (!held()) field.write(value);
+  };
+  return { row, show };
 }

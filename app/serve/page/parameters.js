@@ -46,13 +46,10 @@ export class Parameters {
   show(message, dim) {
     this.#view = message.view;
     const rows = rowsOf(message);
-    const shape = JSON.stringify([
-      dim,
-      ...rows.map(({ p, pane, title }) => [p.path, pane, title, p.kind, p.min, p.max, p.options]),
-    ]);
+    const shape = JSON.stringify([dim, ...rows.map(({ p, pane }) => [p.path, pane, p.kind, p.min, p.max, p.options])]);
     if (shape !== this.#shape) this.#build(rows, dim);
     this.#shape = shape;
-    rows.forEach(({ p }, i) => this.#fields[i].show(p.value));
+    rows.forEach(({ p, title }, i) => this.#fields[i].show(p.value, title));
     this.enable(this.#may);
   }
 
