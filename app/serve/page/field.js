@@ -88,7 +88,8 @@ const kinds = { flag, choice, real: number, integer: number, text, names: text, 
 /// What the ends of a range mean: "0 PIC, 1 FLIP".
 const ends = (p) => [p.at_min && `${p.min} ${p.at_min}`, p.at_max && `${p.max} ${p.at_max}`].filter(Boolean).join(", ");
 
-/// {row, show(value, of)}: `of` is the title of its pane, which says its parameters; `set(value)` is called when a person changes it.
+/// {row, show(value, of)}. `of`: the title of the pane that has it, which may change; none if all have. `set(value)` is called
+/// when a person changes it.
 export function makeField(p, { id, label, of, dim, set }) {
   const field = kinds[p.kind](p, { id, dim, set });
   const row = make("div", { className: "row", title: [p.help, ends(p)].filter(Boolean).join("\n") });
