@@ -48,6 +48,7 @@ struct LiveLayer {
   gui::LiveGui& gui;
   std::span<const gui::GuiEvent> events; ///< since the last picture
   double seconds = 0;                    ///< since then
+  bool coarse = false;                   ///< particles in space as quickly as they can be drawn: for what is in motion
   PanelBuilder panel;
   std::function<void(gui::Ink&, const std::vector<PaneView>&)> over; ///< draws above everything
 };

@@ -160,13 +160,14 @@ LiveFrame Simulator::Run::picture(const LiveFrame& shown) {
   };
   const FrameRequest& wanted = view_.request();
   const bool enough = std::all_of(wanted.channels.begin(), wanted.channels.end(), has);
-  LiveFrame f = enough ? shown : *peek(shown);
+  LiveFrame f = enough ? shown : *peek(shown, false);
   f.bundle.view = view_.at(time());
   return f;
 }
 
-std::shared_ptr<const LiveFrame> Simulator::Run::peek(const LiveFrame& shown) {
+std::shared_ptr<const LiveFrame> Simulator::Run::peek(const LiveFrame& shown, bool on_the_way) {
   auto f = std::make_shared<LiveFrame>(shown);
+  if (on_the_way) f->bundle.stop.time = (*variants)[0].time();
   f->bundle.view = view_.at(time());
   for (std::size_t i = 0; i < variants->size(); ++i) {
     const auto now = (*variants)[i].peek(frame, view_.request());

@@ -26,8 +26,8 @@ struct Simulator::Run {
 
   // === Looking
   [[nodiscard]] LiveFrame look(Pool& pool);
-  /// `shown` with the particles as they are now.
-  [[nodiscard]] std::shared_ptr<const LiveFrame> peek(const LiveFrame& shown);
+  /// `shown` with the particles as they are now; on the way to the next frame, or at this one.
+  [[nodiscard]] std::shared_ptr<const LiveFrame> peek(const LiveFrame& shown, bool on_the_way);
   /// `shown` with the view as it is now.
   [[nodiscard]] LiveFrame picture(const LiveFrame& shown);
   [[nodiscard]] LiveStatus status();

@@ -248,7 +248,7 @@ render::ViewSettings LiveScreen::seen(const LiveFrame& frame) {
   return view;
 }
 
-render::Image LiveScreen::draw(const LiveFrame& frame, const LiveStatus& status, double seconds) {
+render::Image LiveScreen::draw(const LiveFrame& frame, const LiveStatus& status, double seconds, bool coarse) {
   view_ = seen(frame);
   Bundle bundle = frame.bundle;
   bundle.view = view_;
@@ -260,10 +260,15 @@ render::Image LiveScreen::draw(const LiveFrame& frame, const LiveStatus& status,
   const std::vector<GuiEvent> events = std::exchange(events_, {});
   touched_ = false;
   const render::LiveLayer layer{
-      *gui_, events, seconds,
+      *gui_,
+      events,
+      seconds,
+      coarse,
       [this](const render::Frame& f, const render::ViewSettings& v, render::PanelArea& a) { panel_.build(f, v, a); },
       [this](render::gui::Ink& ink, const std::vector<render::PaneView>& panes) { draw_ring(ink, panes); }};
   render::Image image = renderer_->draw_live(frame_, view_, layer);
+  const auto& panes = renderer_->panes();
+  coarse_ = coarse && std::any_of(panes.begin(), panes.end(), [](auto& p) { return p.camera.has_value(); });
   for (PanelEdit& e : panel_.take_edits()) edit(e.variant, {std::move(e.path), std::move(e.value)});
   return image;
 }

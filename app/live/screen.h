@@ -37,7 +37,10 @@ public:
   void show_panel(bool on);
 
   // === What they see
-  [[nodiscard]] render::Image draw(const LiveFrame& frame, const LiveStatus& status, double seconds);
+  /// `coarse`: as quickly as it can be drawn.
+  [[nodiscard]] render::Image draw(const LiveFrame& frame, const LiveStatus& status, double seconds, bool coarse);
+  /// Would a picture that is not coarse look better than the last one?
+  [[nodiscard]] bool could_be_finer() const { return coarse_; }
   [[nodiscard]] bool touched() const { return touched_; } ///< since the last picture
   [[nodiscard]] std::uint32_t last_seq() const { return seq_; }
   [[nodiscard]] bool linked() const { return linked_; }
@@ -69,7 +72,7 @@ private:
   Simulator& simulator_;
 
   int width_ = 1280, height_ = 720;
-  bool panel_shown_ = true, linked_ = true, touched_ = true;
+  bool panel_shown_ = true, linked_ = true, touched_ = true, coarse_ = false;
   std::unique_ptr<render::Renderer> renderer_; ///< null: of another size now
   std::unique_ptr<render::gui::LiveGui> gui_;
   std::optional<render::Theme> theme_; ///< that the widgets have

@@ -22,6 +22,7 @@ using serve::ClientId;
 constexpr auto look_around = std::chrono::milliseconds(100);  // for signals, when nothing wakes us
 constexpr auto least_between = std::chrono::milliseconds(12); // pictures
 constexpr auto state_every = std::chrono::milliseconds(100), parameters_every = std::chrono::milliseconds(250);
+constexpr auto time_to_rest = std::chrono::milliseconds(150); // before a picture is drawn with all its detail
 constexpr auto longest_farewell = std::chrono::seconds(20);
 
 /// Wakes the thread that waits for it; what comes in between is not lost.
@@ -198,7 +199,11 @@ private:
     if (!wants_picture() || !server_.wanted()) return look_around;
     return std::clamp<Clock::duration>(drawn_ + least_between - Clock::now(), Clock::duration(0), look_around);
   }
-  [[nodiscard]] bool wants_picture() const { return fresh_ || screen_.touched() || simulator_.newest() != shown_; }
+  [[nodiscard]] bool wants_picture() const {
+    return fresh_ || screen_.touched() || simulator_.newest() != shown_ || (screen_.could_be_finer() && still());
+  }
+  /// Nothing has moved for a while.
+  [[nodiscard]] bool still() const { return Clock::now() > moved_ + time_to_rest; }
 
   void draw() {
     const auto frame = simulator_.newest();
@@ -209,9 +214,10 @@ private:
     picture->driver = driver_;
     picture->last_seq = screen_.last_seq();
     const LiveStatus status = simulator_.status();
+    if (screen_.touched() || frame != shown_) moved_ = drawn_;
     {
       const Budget::Permit permit(budget_, true);
-      picture->image = screen_.draw(*frame, status, seconds);
+      picture->image = screen_.draw(*frame, status, seconds, !still());
     }
     picture->number = ++pictures_;
     picture->frame = frame->bundle.stop.frame;
@@ -295,7 +301,7 @@ private:
   std::shared_ptr<const LiveFrame> shown_;
   bool fresh_ = true; ///< somebody new wants a picture
   std::uint32_t pictures_ = 0;
-  Clock::time_point drawn_{}, told_{}, parameters_told_{};
+  Clock::time_point drawn_{}, moved_{}, told_{}, parameters_told_{};
   std::deque<Clock::time_point> draws_;
   std::string last_state_;
 };

@@ -12,7 +12,8 @@ namespace flipbook::app::live {
 namespace {
 
 constexpr std::size_t most_asked = 1024;
-constexpr std::size_t most_edits = 200'000;                           // a log has to end somewhere
+constexpr std::size_t most_edits = 200'000; // a log has to end somewhere
+constexpr auto longest_without_a_look = std::chrono::milliseconds(30);
 constexpr auto tick_of_a_paused_hand = std::chrono::milliseconds(33); // while the run stands still
 
 } // namespace
@@ -201,7 +202,7 @@ void Simulator::advance() {
     {
       const Budget::Permit permit(budget_);
       act_by_hand(true);
-      if (!run_->advance([this] { return stopped(); })) return;
+      if (!run_->advance([this] { return show_between(), stopped(); })) return;
       frame = run_->look(pool_);
     }
     if (single_steps_ > 0) --single_steps_;
@@ -267,7 +268,19 @@ void Simulator::restart_with(int variant, const SetParameter& change) {
 
 void Simulator::show_peek() {
   if (!shown_) return;
-  auto frame = run_->peek(*shown_);
+  auto frame = run_->peek(*shown_, false);
+  {
+    const std::scoped_lock lock(mutex_);
+    newest_ = std::move(frame);
+  }
+  wake_();
+}
+
+/// Where a frame takes long, what happens on the way to it is shown, too: it moves instead of jumping.
+void Simulator::show_between() {
+  if (!run_->variants->together() || Clock::now() < looked_ + longest_without_a_look) return;
+  looked_ = Clock::now();
+  auto frame = run_->peek(*shown_, true);
   {
     const std::scoped_lock lock(mutex_);
     newest_ = std::move(frame);
@@ -277,6 +290,7 @@ void Simulator::show_peek() {
 
 void Simulator::publish(std::shared_ptr<const LiveFrame> frame) {
   shown_ = std::move(frame);
+  looked_ = Clock::now();
   {
     const std::scoped_lock lock(mutex_);
     newest_ = shown_;

@@ -106,6 +106,7 @@ private:
   void apply(int variant, CommandAction action);
   void restart_with(int variant, const SetParameter& change);
   void show_peek();
+  void show_between();
   void publish(std::shared_ptr<const LiveFrame> frame);
   void refresh();
   void hand_over(const LiveFrame& frame);
@@ -125,7 +126,7 @@ private:
   bool running_ = false, failed_ = false, recording_ = false;
   int single_steps_ = 0;
   std::uint64_t takes_ = 0;
-  Clock::time_point due_{};
+  Clock::time_point due_{}, looked_{};     ///< when the next frame may come; when there was something new to see
   std::deque<Clock::time_point> finished_; ///< the last frames, for the rate
   std::optional<Hold> hand_was_;
 

@@ -26,6 +26,8 @@ public:
   /// between steps and gives up when it is set: false.
   bool advance_to(double t, const std::function<bool()>& stop);
 
+  /// Do all take the same steps? Then none of them is in the middle of one when `stop` is looked at.
+  [[nodiscard]] bool together() const { return groups_.size() == 1; }
   [[nodiscard]] std::size_t size() const { return simulations_.size(); }
   [[nodiscard]] Simulation& operator[](std::size_t i) { return *simulations_[i]; }
   [[nodiscard]] std::uint64_t particle_steps() const { return particle_steps_; }

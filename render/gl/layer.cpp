@@ -29,18 +29,19 @@ void Layer::reserve(int width, int height) {
   const Functions& gl = *gl_;
   gl.ActiveTexture(GL_TEXTURE0);
   make_texture(gl, under_, width_, height_);
-  make_texture(gl, colour_, detail * width_, detail * height_);
+  make_texture(gl, colour_, fine * width_, fine * height_);
   gl.BindRenderbuffer(GL_RENDERBUFFER, depth_.name());
-  gl.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, detail * width_, detail * height_);
+  gl.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, fine * width_, fine * height_);
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour_.name(), 0);
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
   if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-    throw MachineError("OpenGL refused a framebuffer of " + std::to_string(detail * width_) + "x" +
-                       std::to_string(detail * height_) + " pixels");
+    throw MachineError("OpenGL refused a framebuffer of " + std::to_string(fine * width_) + "x" +
+                       std::to_string(fine * height_) + " pixels");
 }
 
-void Layer::begin(const Area& area, int margin) {
+void Layer::begin(const Area& area, int margin, int detail) {
+  detail_ = detail;
   reserve(area.w, area.h);
   const Functions& gl = *gl_;
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
@@ -69,6 +70,8 @@ void Layer::finish(const Area& area, const Canvas& canvas) const {
   program_.set("layer", 0);
   program_.set("under", 1);
   program_.set("corner", area.x, area.y);
+  program_.set("detail", detail_);
+  program_.set("share", 1 / static_cast<float>(detail_ * detail_));
   gl.BindVertexArray(none_.name());
   gl.DrawArrays(GL_TRIANGLES, 0, 3);
   gl.Disable(GL_SCISSOR_TEST);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Where the solid things of a 3D pane are drawn: four times the pixels (2 x 2), with depth. finish() puts it over what
 // the canvas shows there already: the mean of the four in linear light, so that bright edges on a dark page are neither
-// too thin nor fringed. Nothing else of the picture is resampled.
+// too thin nor fringed. Nothing else of the picture is resampled. A picture of something that moves under a hand may do
+// with one pixel instead of four.
 #pragma once
 
 #include "render/gl/canvas.h"
@@ -12,12 +13,13 @@ namespace flipbook::render::gl {
 
 class Layer {
 public:
-  static constexpr int detail = 2; ///< pixels of the layer for each of the picture's, on an axis
+  static constexpr int fine = 2, coarse = 1;
 
   explicit Layer(const Functions& gl);
   /// Makes the layer of these pixels of the picture what is drawn on, empty. The viewport is `margin` pixels of the
-  /// picture larger on each side, so that points are drawn whose middle is outside.
-  void begin(const Area& area, int margin);
+  /// picture larger on each side, so that points are drawn whose middle is outside. `detail`: pixels of
+  /// the layer for each of the picture's, on an axis.
+  void begin(const Area& area, int margin, int detail = fine);
   /// Draws it onto the canvas.
   void finish(const Area& area, const Canvas& canvas) const;
 
@@ -30,6 +32,7 @@ private:
   Framebuffer framebuffer_;
   Texture colour_, under_;
   Renderbuffer depth_;
+  int detail_ = fine;
   int width_ = 0, height_ = 0; ///< of the picture, that there is room for
 };
 

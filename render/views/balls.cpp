@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "render/views/balls.h"
 
-#include "render/gl/layer.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -56,21 +54,21 @@ void BallView::upload(std::span<const Ball> balls, std::span<const float> values
 }
 
 void BallView::draw(const PaneView& pane, std::span<const float> values, const ColourScale& scale, double radius,
-                    const Area& area, const Workers& workers) {
+                    const Area& area, int detail, const Workers& workers) {
   const gl::Functions& gl = *gl_;
   const Camera& camera = *pane.camera;
   const std::vector<Ball>& balls =
-      occlusion_.visible(camera, pane.snapshot->x, radius, area.rect(), static_cast<float>(gl::Layer::detail), workers);
+      occlusion_.visible(camera, pane.snapshot->x, radius, area.rect(), static_cast<float>(detail), workers);
   if (balls.empty()) return;
   const auto nearest =
       std::max_element(balls.begin(), balls.end(), [](const Ball& a, const Ball& b) { return a.z < b.z; });
-  const double across = 2 * gl::Layer::detail * radius * camera.focal() / static_cast<double>(-nearest->z);
+  const double across = 2 * detail * radius * camera.focal() / static_cast<double>(-nearest->z);
   const bool as_quads = across + 1 > largest_;
   upload(balls, values, as_quads);
 
   program_.use();
   map_.use(scale, !values.empty(), program_);
-  const float m = static_cast<float>(margin()), d = static_cast<float>(gl::Layer::detail);
+  const float m = static_cast<float>(margin()), d = static_cast<float>(detail);
   const Rect viewport = {static_cast<float>(area.x) - m, static_cast<float>(area.y) - m,
                          static_cast<float>(area.w) + 2 * m, static_cast<float>(area.h) + 2 * m};
   const glm::mat4 projection = camera.projection(viewport);
@@ -78,7 +76,7 @@ void BallView::draw(const PaneView& pane, std::span<const float> values, const C
   program_.set("corner_at", -d * m, -d * m);
   program_.set("size", d * viewport.w, d * viewport.h);
   program_.set("radius", static_cast<float>(radius));
-  program_.set("focal", static_cast<float>(gl::Layer::detail * camera.focal()));
+  program_.set("focal", static_cast<float>(detail * camera.focal()));
   gl.Enable(GL_PROGRAM_POINT_SIZE);
   gl.DrawArrays(as_quads ? GL_TRIANGLES : GL_POINTS, 0, static_cast<GLsizei>(numbers_.size() / numbers));
 }

@@ -12,8 +12,9 @@ class BallView {
 public:
   explicit BallView(const gl::Functions& gl);
   /// Draws into the layer that is bound: `area` of the picture in pixels, with a margin of `margin()` around it.
+  /// `detail`: the layer's.
   void draw(const PaneView& pane, std::span<const float> values, const ColourScale& scale, double radius,
-            const Area& area, const Workers& workers);
+            const Area& area, int detail, const Workers& workers);
   /// So far outside of the layer, in pixels of the picture, may the middle of a ball be that reaches into it.
   [[nodiscard]] int margin() const;
 

@@ -19,15 +19,15 @@ SpaceView::SpaceView(const gl::Functions& gl, Workers workers)
     : workers_(std::move(workers)), layer_(gl), balls_(gl), solids_(gl), shadow_(gl) {}
 
 void SpaceView::draw(const PaneView& pane, std::span<const float> values, const ColourScale& scale, double diameter,
-                     const Palette& palette, const gl::Canvas& canvas) {
+                     const Palette& palette, const gl::Canvas& canvas, int detail) {
   const double radius = 0.5 * diameter * pane.snapshot->particle_spacing;
   shadow_.draw(pane, radius, palette.shadow, canvas, workers_);
   const Area area = inside(pane.frame);
-  layer_.begin(area, balls_.margin());
+  layer_.begin(area, balls_.margin(), detail);
   const float m = static_cast<float>(balls_.margin());
   const Rect r = area.rect();
   solids_.draw(pane, {r.x - m, r.y - m, r.w + 2 * m, r.h + 2 * m}, palette.solid);
-  balls_.draw(pane, values, scale, radius, area, workers_);
+  balls_.draw(pane, values, scale, radius, area, detail, workers_);
   layer_.finish(area, canvas);
 }
 

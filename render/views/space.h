@@ -15,7 +15,7 @@ public:
   SpaceView(const gl::Functions& gl, Workers workers);
   /// `values` as colour_values gives them; `diameter` of a ball in particle spacings.
   void draw(const PaneView& pane, std::span<const float> values, const ColourScale& scale, double diameter,
-            const Palette& palette, const gl::Canvas& canvas);
+            const Palette& palette, const gl::Canvas& canvas, int detail = gl::Layer::fine);
 
 private:
   Workers workers_;

@@ -53,6 +53,7 @@ protected:
     const render::LiveLayer layer{gui_,
                                   events,
                                   0.02,
+                                  coarse_,
                                   [&](const render::Frame& f, const render::ViewSettings& v, render::PanelArea& area) {
                                     panel_.build(f, v, area);
                                     widgets_ = area.widgets;
@@ -97,7 +98,7 @@ protected:
   app::LivePanel panel_;
   render::Frame frame_;
   app::LivePanel::Parameters parameters_;
-  bool linked_ = true;
+  bool linked_ = true, coarse_ = false;
   std::vector<render::Widget> widgets_;
   std::vector<render::TextBox> labels_;
   render::Image image_;
@@ -222,6 +223,24 @@ TEST_F(LivePanelTest, LeavesOfflinePicturesAsTheyAre) {
   const render::Image before = other.draw(frame_, {});
   (void)draw({move(1200, 100), button(1200, 100, true)});
   EXPECT_EQ(other.draw(frame_, {}).rgba, before.rgba);
+}
+
+TEST_F(LivePanelTest, AQuickPictureInSpaceIsNearlyTheFineOne) {
+  panes({{slider("a.b", 0.5)}});
+  frame_ = frame_of("In space", {"dam_3d"});
+  render::Renderer offline(*context_, 1280, 720, nullptr);
+  const render::Image before = offline.draw(frame_, {});
+  (void)draw();
+  const render::Image fine = image_;
+  coarse_ = true;
+  (void)draw();
+  double sum = 0;
+  for (std::size_t i = 0; i < fine.rgba.size(); ++i)
+    sum += std::abs(static_cast<double>(fine.rgba[i]) - static_cast<double>(image_.rgba[i]));
+  const double mean = sum / static_cast<double>(fine.rgba.size());
+  EXPECT_GT(mean, 0); // edges are not smoothed,
+  EXPECT_LT(mean, 2); // and that is all
+  EXPECT_EQ(offline.draw(frame_, {}).rgba, before.rgba);
 }
 
 } // namespace
