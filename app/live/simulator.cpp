@@ -82,7 +82,9 @@ void Simulator::edit(int variant, SetParameter change) {
 
 void Simulator::hold(std::optional<Hold> hand) {
   const std::scoped_lock lock(mutex_);
-  hold_ = hand;
+  if (hand && !(hold_ && hold_->press == hand->press)) hand_acted_ = false;
+  lift_ = !hand && hold_ && !hand_acted_; // a tap that no frame has seen yet
+  if (!lift_) hold_ = hand;
   changed_.notify_all();
 }
 
@@ -225,6 +227,9 @@ void Simulator::act_by_hand(bool moving) {
   {
     const std::scoped_lock lock(mutex_);
     hand = hold_;
+    hand_acted_ = true;
+    if (lift_) hold_.reset();
+    lift_ = false;
   }
   if (!hand) return hand_was_.reset();
   const Triple was = hand_was_ && hand_was_->press == hand->press ? hand_was_->at : hand->at;

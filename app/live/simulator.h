@@ -80,6 +80,7 @@ public:
   void reset();
   /// Of a parameter that needs a restart: begins again with it.
   void edit(int variant, SetParameter change);
+  /// Every press acts in one frame at least, however short.
   void hold(std::optional<Hold> hand);
   void record(bool on);
   void save();    ///< a report brings the study
@@ -134,6 +135,7 @@ private:
   std::condition_variable changed_;
   std::deque<std::function<void()>> asked_;
   std::optional<Hold> hold_;
+  bool hand_acted_ = false, lift_ = false; ///< has a frame seen the hand? is it to be lifted when one has?
   LiveStatus status_;
   std::shared_ptr<const LiveFrame> newest_;
   std::vector<Report> reports_;

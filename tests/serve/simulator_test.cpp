@@ -235,6 +235,18 @@ TEST(Simulator, ADraggedObstacleIsReplayed) {
             player.recorded().back().bundle.snapshots[0]->solids[0].pose.shift[0]);
 }
 
+TEST(Simulator, ATapBetweenTwoFramesCounts) {
+  Player player(two_panes);
+  player.frames(2);
+  const std::size_t before = player->status().particles;
+  player->hold(hold(Hold::What::remove, {0.2, 0.1, 0}, 1));
+  player->hold(std::nullopt);
+  player.frames(4);
+  EXPECT_LT(player->status().particles, before);
+  EXPECT_EQ(player->status().edits, 1U); // and once
+  expect_replay(player, 4);
+}
+
 TEST(Simulator, AResetKeepsWhatTheHandHasSet) {
   Player player(two_panes);
   player.set("transfer.flip_ratio", 0.25, 0);
