@@ -98,7 +98,8 @@ void permute(std::vector<T>& column, std::vector<T>& room, const std::vector<std
 } // namespace
 
 template <int Dim, class Real>
-void sort_by_cell(Particles<Dim, Real>& particles, const Grid<Dim>& grid, CellOrder<Dim>& order, Pool& pool) {
+void sort_by_cell(Particles<Dim, Real>& particles, const Grid<Dim>& grid, CellOrder<Dim>& order, Pool& pool,
+                  std::size_t carried) {
   auto& s = order.scratch;
   const auto count = static_cast<std::int64_t>(particles.size());
   const std::int64_t grain = chunk_size(count);
@@ -122,14 +123,15 @@ void sort_by_cell(Particles<Dim, Real>& particles, const Grid<Dim>& grid, CellOr
   for (auto& column : particles.x) permute(column, room, s.source, pool);
   for (auto& column : particles.v) permute(column, room, s.source, pool);
   for (auto& column : particles.A) permute(column, room, s.source, pool);
-  for (auto& column : particles.carried) permute(column, room, s.source, pool);
+  for (std::size_t c = 0; c < std::min(carried, particles.carried.size()); ++c)
+    permute(particles.carried[c], room, s.source, pool);
   permute(particles.m, room, s.source, pool);
   permute(particles.id, s.id, s.source, pool);
 }
 
-template void sort_by_cell(Particles<2, float>&, const Grid<2>&, CellOrder<2>&, Pool&);
-template void sort_by_cell(Particles<2, double>&, const Grid<2>&, CellOrder<2>&, Pool&);
-template void sort_by_cell(Particles<3, float>&, const Grid<3>&, CellOrder<3>&, Pool&);
-template void sort_by_cell(Particles<3, double>&, const Grid<3>&, CellOrder<3>&, Pool&);
+template void sort_by_cell(Particles<2, float>&, const Grid<2>&, CellOrder<2>&, Pool&, std::size_t);
+template void sort_by_cell(Particles<2, double>&, const Grid<2>&, CellOrder<2>&, Pool&, std::size_t);
+template void sort_by_cell(Particles<3, float>&, const Grid<3>&, CellOrder<3>&, Pool&, std::size_t);
+template void sort_by_cell(Particles<3, double>&, const Grid<3>&, CellOrder<3>&, Pool&, std::size_t);
 
 } // namespace flipbook

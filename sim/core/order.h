@@ -140,9 +140,11 @@ template <int Dim, class Real> [[nodiscard]] Index<Dim> cell_of(const Grid<Dim>&
 }
 
 /// Sorts every column of the particles by cell; particles of one cell keep their order. Positions must lie in the
-/// domain or its pads.
+/// domain or its pads. Of the carried columns only the first `carried` move: whoever says less writes the others anew,
+/// or they are the same for all particles.
 template <int Dim, class Real>
-void sort_by_cell(Particles<Dim, Real>& particles, const Grid<Dim>& grid, CellOrder<Dim>& order, Pool& pool);
+void sort_by_cell(Particles<Dim, Real>& particles, const Grid<Dim>& grid, CellOrder<Dim>& order, Pool& pool,
+                  std::size_t carried = static_cast<std::size_t>(-1));
 
 namespace detail {
 /// body(first) for the first cell of each of `count` blocks: those `origin + step n`, in blocks, in parallel.

@@ -216,7 +216,9 @@ template <int Dim, class Real> void MpmSolver<Dim, Real>::move(double dt) {
   s.solids.place(s.time, s.walls, pool_);
   s.solids.push_out(s.walls, {}, s.particles, pool_);
   timed.turn(Phase::sort);
-  sort_by_cell(s.particles, s.grid, s.order, pool_);
+  // ask() writes the stress anew, and what does not flow remembers nothing.
+  const bool remembers = std::any_of(s.materials.begin(), s.materials.end(), [](auto& m) { return m.flows(); });
+  sort_by_cell(s.particles, s.grid, s.order, pool_, remembers ? Carried<Dim>::tau : Carried<Dim>::memory);
   follow_order(s, pool_);
 }
 

@@ -3,9 +3,11 @@
 #include "sim/frame/described_list.h"
 #include "sim/frame/errors.h"
 #include "sim/materials/material_settings.h"
+#include "sim/mpm/motion.h"
 #include "sim/mpm/seed_solids.h"
 #include "sim/mpm/stress.h"
 #include "sim/scene/read_scene.h"
+#include "sim/transfer/transfer.h"
 #include "tests/property/material_states.h"
 
 #include <gmock/gmock.h>
@@ -246,6 +248,53 @@ TYPED_TEST(Sweep, StopsAtWhatHasNoVolume) {
     const std::size_t end = crowd.state.particles.size() - 1; // a lane of the last pack
     crowd.set_F(end, F);
     EXPECT_THROW(static_cast<void>(ask_materials(crowd.state, crowd.pool)), NonFiniteError) << last;
+  }
+}
+
+// === Motion
+
+/// APIC's particles hold what they move and deform by; others ask the grid for the same. A corner whose C is not that
+/// of the grid is made to ask, for what it moves by does not depend on it.
+TEST(Motion, WhatParticlesHoldIsWhatTheGridSays) {
+  Budget budget(2);
+  const Budget::Permit permit(budget);
+  Pool pool(budget);
+  const Scene scene = parse_scene(R"(
+solver = "mpm"
+precision = "double"
+grid.size = [1, 1]
+grid.cells = [16, 16]
+material = { model = "hencky", E = 1000 }
+[[body]]
+shape = "disc"
+centre = [0.5, 0.5]
+radius = 0.3
+)",
+                                  "disc.toml");
+  MpmState<2, double> s = seed_solids<2, double>(scene, pool);
+  for (std::size_t a = 0; a < 2; ++a)
+    for (std::size_t i = 0; i < s.u[a].size(); ++i) s.u[a][i] = std::sin(0.7 * static_cast<double>(i + 5 * a));
+  Corner apic;
+  apic.mode = AffineMode::full;
+  Corner asks = apic;
+  asks.skew = true;
+  s.particles.set_mode(apic.mode);
+  for (const auto& [kernel, through] :
+       {std::pair(KernelName::quadratic, Through::affine), std::pair(KernelName::cubic, Through::affine),
+        std::pair(KernelName::linear, Through::gradient)}) {
+    g2p(apic, kernel, Layout::nodes, s.grid, s.u, s.u, s.particles, pool);
+    Particles<2, double> held = s.particles, asked = s.particles;
+    for (auto& column : asked.A) std::fill(column.begin(), column.end(), 1e9); // nobody looks
+    move_and_deform(apic, through, kernel, s.grid, s.walls, s.u, 1e-2, held, pool);
+    move_and_deform(asks, through, kernel, s.grid, s.walls, s.u, 1e-2, asked, pool);
+    double moved = 0;
+    for (std::size_t p = 0; p < held.size(); ++p) {
+      moved = std::max(moved, (held.position(p) - s.particles.position(p)).norm());
+      ASSERT_LT((held.position(p) - asked.position(p)).norm(), 1e-14);
+      for (std::size_t c = 0; c < 4; ++c)
+        ASSERT_NEAR(held.carried[Carried<2>::F + c][p], asked.carried[Carried<2>::F + c][p], 1e-13);
+    }
+    EXPECT_GT(moved, 1e-3);
   }
 }
 
