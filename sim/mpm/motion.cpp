@@ -42,7 +42,7 @@ public:
     Point x;
     for (std::size_t d = 0; d < Dim; ++d) x[d] = lanes.read(x_[d]);
     Point velocity;
-    Square<Dim, T> step; // I + dt G
+    Square<Dim, T> step{}; // I + dt G
     held_ ? recall(lanes, velocity, step) : gather(x, velocity, step);
     Square<Dim, T> F;
     for (std::size_t c = 0; c < F_.size(); ++c) F[c / Dim][c % Dim] = lanes.read(F_[c]);
