@@ -51,6 +51,7 @@ cairo_surface_t* make_target(const Sheet& s, std::vector<std::uint8_t>& bytes) {
   switch (s.medium) {
   case Medium::pdf: {
     cairo_surface_t* pdf = cairo_pdf_surface_create_for_stream(collect, &bytes, width, height);
+    cairo_pdf_surface_restrict_to_version(pdf, CAIRO_PDF_VERSION_1_4); // for old readers, and the same from any Cairo
     cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_TITLE, s.title.c_str());
     cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_SUBJECT, s.subject.c_str());
     cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_CREATE_DATE, nullptr); // else the clock's
