@@ -80,10 +80,10 @@ private:
   /// blend = a u + b other.
   void combine(Real a, Real b, const Components<Dim, Real>& other);
   void gather_affine_state();
-  [[nodiscard]] Refusal act(const Push& push);
-  [[nodiscard]] Refusal act(const AddParticles& add);
-  [[nodiscard]] Refusal act(const RemoveParticles& remove);
-  [[nodiscard]] Refusal act(const MoveSolid& move);
+  void act(const Push& push);
+  void act(const AddParticles& add);
+  void act(const RemoveParticles& remove);
+  void act(const MoveSolid& move);
   void count_solve() const; ///< for the profile
 
   Pool& pool_;

@@ -12,6 +12,8 @@
 
 #include <cmath>
 #include <string>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace flipbook {
@@ -134,13 +136,36 @@ template <int Dim, class Real>
   return places;
 }
 
-/// Message empty: these are numbers that a solver can do something with.
-template <int Dim> [[nodiscard]] Refusal check_hand(const Grid<Dim>& grid, const Triple& at, double radius) {
+/// They begin with the velocity of the hand.
+template <int Dim, class Real>
+void put(const AddParticles& hand, const std::vector<Vec<Dim, Real>>& places, Real mass, std::uint32_t first_id,
+         Particles<Dim, Real>& particles) {
+  Vec<Dim, Real> v;
+  for (int d = 0; d < Dim; ++d) v[d] = static_cast<Real>(hand.velocity[static_cast<std::size_t>(d)]);
+  for (const Vec<Dim, Real>& x : places) particles.add(x, v, mass, first_id++);
+}
+
+template <int Dim> [[nodiscard]] Refusal check_ball(const Grid<Dim>& grid, const Triple& at, double radius) {
   const double most = 2 * grid.size_m().norm();
   for (int d = 0; d < Dim; ++d)
     if (!(std::abs(at[static_cast<std::size_t>(d)]) <= most)) return {"the place lies far outside the domain", ""};
   if (!(radius > 0 && radius <= most)) return {"the radius must be positive, and within the domain's size", ""};
   return {};
+}
+
+/// Message empty: a solver can do it.
+template <int Dim, class Real>
+[[nodiscard]] Refusal check_hand(const Interaction& action, const Grid<Dim>& grid, const Solids<Dim, Real>& solids) {
+  const auto check = [&]<class A>(const A& hand) -> Refusal {
+    if constexpr (std::is_same_v<A, MoveSolid>) {
+      if (hand.solid >= solids.all().size()) return {"there is no such solid", ""};
+      if (Refusal r = check_ball(grid, hand.by, 1e-9); !r.message.empty()) return r;
+      return hand.over > 0 ? Refusal{} : Refusal{"a solid takes some time to move", ""};
+    } else {
+      return check_ball(grid, hand.at, hand.radius);
+    }
+  };
+  return std::visit(check, action);
 }
 
 } // namespace flipbook

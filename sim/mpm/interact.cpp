@@ -43,7 +43,9 @@ template <int Dim, class Real> void undeform(MpmState<Dim, Real>& s, std::size_t
 } // namespace
 
 template <int Dim, class Real> Refusal MpmSolver<Dim, Real>::interact(const Interaction& action) {
-  return std::visit([&](const auto& a) { return act(a); }, action);
+  if (Refusal r = check_hand(action, state_.grid, state_.solids); !r.message.empty()) return r;
+  std::visit([&](const auto& a) { act(a); }, action);
+  return {};
 }
 
 template <int Dim, class Real> void MpmSolver<Dim, Real>::follow_particles() {
@@ -54,47 +56,34 @@ template <int Dim, class Real> void MpmSolver<Dim, Real>::follow_particles() {
   if (ledger_) ledger_->rebook(MpmStage::forces, s, pool_);
 }
 
-template <int Dim, class Real> Refusal MpmSolver<Dim, Real>::act(const Push& hand) {
+template <int Dim, class Real> void MpmSolver<Dim, Real>::act(const Push& hand) {
   auto& s = state_;
-  if (Refusal r = check_hand(s.grid, hand.at, hand.radius); !r.message.empty()) return r;
   flipbook::push(hand, s.particles, pool_);
   if (ledger_) ledger_->rebook(MpmStage::forces, s, pool_);
-  return {};
 }
 
-template <int Dim, class Real> Refusal MpmSolver<Dim, Real>::act(const AddParticles& hand) {
+template <int Dim, class Real> void MpmSolver<Dim, Real>::act(const AddParticles& hand) {
   auto& s = state_;
-  if (Refusal r = check_hand(s.grid, hand.at, hand.radius); !r.message.empty()) return r;
   const auto places = free_places(hand, s.settings.seeding, s.grid, s.solids, s.particles);
-  if (places.empty()) return {};
+  if (places.empty()) return;
   const std::uint8_t material = nearest_material(s, hand.at);
-  Vec<Dim, Real> v;
-  for (int d = 0; d < Dim; ++d) v[d] = static_cast<Real>(hand.velocity[static_cast<std::size_t>(d)]);
-  std::uint32_t id = recorder_.next_id();
-  for (const Vec<Dim, Real>& x : places) s.particles.add(x, v, Real(0), id++);
+  put(hand, places, Real(0), recorder_.next_id(), s.particles);
   undeform(s, places.size(), material);
   recorder_.follow(s.particles);
   follow_particles();
-  return {};
 }
 
-template <int Dim, class Real> Refusal MpmSolver<Dim, Real>::act(const RemoveParticles& hand) {
+template <int Dim, class Real> void MpmSolver<Dim, Real>::act(const RemoveParticles& hand) {
   auto& s = state_;
-  if (Refusal r = check_hand(s.grid, hand.at, hand.radius); !r.message.empty()) return r;
   if (take_away(hand, s.particles) > 0) follow_particles();
-  return {};
 }
 
-template <int Dim, class Real> Refusal MpmSolver<Dim, Real>::act(const MoveSolid& hand) {
+template <int Dim, class Real> void MpmSolver<Dim, Real>::act(const MoveSolid& hand) {
   auto& s = state_;
-  if (hand.solid >= s.solids.all().size()) return {"there is no such solid", ""};
-  if (Refusal r = check_hand(s.grid, hand.by, 1e-9); !r.message.empty()) return r;
-  if (!(hand.over > 0)) return {"a solid takes some time to move", ""};
   s.solids.drag(hand.solid, s.time, hand.by, hand.over);
   s.solids.place(s.time, s.walls, pool_);
   s.solids.push_out(s.walls, {}, s.particles, pool_);
   follow_particles();
-  return {};
 }
 
 #define FLIPBOOK_INTERACT(Dim, Real) template Refusal MpmSolver<Dim, Real>::interact(const Interaction&);

@@ -81,10 +81,10 @@ private:
   /// body() as that stage; then the ledger looks at what has changed.
   template <class Body> void during(MpmStage stage, Phase phase, Body&& body);
   void gather_affine_state();
-  [[nodiscard]] Refusal act(const Push& push);
-  [[nodiscard]] Refusal act(const AddParticles& add);
-  [[nodiscard]] Refusal act(const RemoveParticles& remove);
-  [[nodiscard]] Refusal act(const MoveSolid& move);
+  void act(const Push& push);
+  void act(const AddParticles& add);
+  void act(const RemoveParticles& remove);
+  void act(const MoveSolid& move);
   void follow_particles(); ///< after some have come or gone
   [[nodiscard]] Through through() const {
     return state_.settings.mpm.forces == Forces::mls ? Through::affine : Through::gradient;
