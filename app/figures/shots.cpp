@@ -2,6 +2,7 @@
 #include "app/figures/shots.h"
 
 #include "app/session/apply_command.h"
+#include "app/session/make_variants.h"
 #include "app/session/schedule.h"
 #include "app/study/paths.h"
 #include "app/study/titles.h"
@@ -9,14 +10,8 @@
 namespace flipbook::app {
 
 Shots take_shots(const Resolved& study, const std::vector<double>& times, const Lab& lab) {
-  std::vector<std::unique_ptr<Simulation>> simulations(study.variants.size());
-  std::vector<Lockstep> lockstep;
-  for (const ResolvedVariant& v : study.variants) lockstep.push_back(v.scene.settings.time.lockstep);
-  lab.pool.each(static_cast<int>(simulations.size()), [&](int i) {
-    const auto v = static_cast<std::size_t>(i);
-    simulations[v] = make_simulation(study.variants[v].scene, lab.pool);
-  });
-  Stepper stepper(std::move(simulations), lockstep, lab.pool);
+  const std::unique_ptr<Stepper> variants = make_variants(study, lab.pool);
+  Stepper& stepper = *variants;
   Shots shots;
   shots.at.resize(stepper.size());
   Schedule schedule = Schedule::stills(study.output.fps, study.scale, times);

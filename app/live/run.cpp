@@ -2,9 +2,9 @@
 #include "app/live/run.h"
 
 #include "app/session/apply_command.h"
+#include "app/session/make_variants.h"
 #include "app/study/paths.h"
 #include "sim/frame/errors.h"
-#include "sim/museum/museum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +14,6 @@ namespace {
 
 constexpr double fastest_hand = 4;     // of the domain's shortest side, a second
 constexpr double fastest_solid = 0.04; // of it, a frame: what is dragged follows a quick hand as it can
-
-std::unique_ptr<Simulation> make(const ResolvedVariant& v, Pool& pool) {
-  return v.mistake ? museum::make_mistaken(v.scene, *v.mistake, pool) : make_simulation(v.scene, pool);
-}
 
 /// The vector, no longer than `most`.
 Triple limited(Triple v, double most) {
@@ -40,15 +36,7 @@ Simulator::Run::Run(std::shared_ptr<const Take> t, Pool& pool)
     : take(std::move(t)), view_(take->resolved),
       timeline_(
           take->resolved.timeline.commands(take->resolved.output.fps, take->resolved.scale, frames_with_keys(*take))) {
-  const auto& all = take->resolved.variants;
-  std::vector<std::unique_ptr<Simulation>> simulations(all.size());
-  std::vector<Lockstep> lockstep;
-  for (const ResolvedVariant& v : all) lockstep.push_back(v.scene.settings.time.lockstep);
-  pool.each(static_cast<int>(all.size()), [&](int i) {
-    const auto v = static_cast<std::size_t>(i);
-    simulations[v] = make(all[v], pool);
-  });
-  variants = std::make_unique<Stepper>(std::move(simulations), lockstep, pool);
+  variants = make_variants(take->resolved, pool);
   apply_timeline();
 }
 
@@ -63,8 +51,7 @@ bool Simulator::Run::advance(const std::function<bool()>& stop) {
 
 void Simulator::Run::apply_timeline() {
   for (; next_ < timeline_.size() && timeline_[next_].frame <= frame; ++next_)
-    if (const Refusal r = apply_command(timeline_[next_], *variants); !r.message.empty())
-      throw UserError("timeline: " + r.message, {}, r.nearest);
+    must_apply(timeline_[next_], *variants, "timeline: ");
 }
 
 // === A hand

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/driver.h"
 
-#include "app/series/playback.h"
 #include "app/session/apply_command.h"
+#include "app/session/make_variants.h"
 #include "app/session/queue.h"
 #include "app/study/paths.h"
 #include "sim/frame/errors.h"
@@ -64,17 +64,7 @@ void Driver::drive() {
 }
 
 void Driver::make_variants(Pool& pool) {
-  std::vector<std::unique_ptr<Simulation>> simulations(resolved_.variants.size());
-  std::vector<Lockstep> lockstep;
-  for (const ResolvedVariant& v : resolved_.variants) lockstep.push_back(v.scene.settings.time.lockstep);
-  pool.each(static_cast<int>(simulations.size()), [&](int i) {
-    const auto v = static_cast<std::size_t>(i);
-    const ResolvedVariant& variant = resolved_.variants[v];
-    simulations[v] = variant.recording ? play(variant.recording)
-                     : variant.mistake ? museum::make_mistaken(variant.scene, *variant.mistake, pool)
-                                       : make_simulation(variant.scene, pool);
-  });
-  variants_ = std::make_unique<Stepper>(std::move(simulations), lockstep, pool);
+  variants_ = flipbook::app::make_variants(resolved_, pool);
   if (!profiles_) return;
   profiles_->resize(variants_->size());
   for (std::size_t i = 0; i < variants_->size(); ++i) (*variants_)[i].profile(&(*profiles_)[i]);
