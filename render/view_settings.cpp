@@ -14,6 +14,7 @@ void ViewSettings::describe(ParameterVisitor& v) {
       {{"off", "no table"}, {"total", "since the start"}, {"step", "in the last step"}}};
   v.group("view", [&] {
     v.choice({.name = "theme", .help = "Colours of the page."}, theme, themes);
+    look.describe(v);
     v.choice({.name = "colour", .help = "What particles are coloured by."}, colour, colour_options());
     v.choice({.name = "map", .help = "The colour map."}, map, colour_map_options());
     v.reals(
