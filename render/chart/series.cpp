@@ -9,7 +9,7 @@ namespace flipbook::render {
 
 namespace {
 
-using Style = ChartSeries::Style;
+using SeriesStyle = ChartSeries::Style;
 constexpr double thin = 1.4, stroke = 2.1, radius = 4.2, level = 17;
 
 /// Shapes differ as colours do, so that a print in grey can be read.
@@ -52,8 +52,8 @@ void draw_marks(Pen& pen, const ChartSeries& s, std::span<const ChartPoint> poin
   }
 }
 
-bool has_line(Style s) {
-  return s == Style::line || s == Style::dashes || s == Style::both;
+bool has_line(SeriesStyle s) {
+  return s == SeriesStyle::line || s == SeriesStyle::dashes || s == SeriesStyle::both;
 }
 
 /// Lines differ as colours do. Those with marks are solid, and those of exact curves dashed.
@@ -62,8 +62,8 @@ Dash dash_of(const ChartSeries& s) {
   static constexpr std::array<Dash, 12> of_colour{long_dashes,  dash_dot, solid,        short_dashes,
                                                   dots,         dots,     dash_dot_dot, solid,
                                                   short_dashes, dash_dot, dashes,       dash_dot_dot};
-  if (s.style == Style::dashes) return dashes;
-  if (s.style != Style::line || s.colour == ChartSeries::exact) return solid;
+  if (s.style == SeriesStyle::dashes) return dashes;
+  if (s.style != SeriesStyle::line || s.colour == ChartSeries::exact) return solid;
   return of_colour[static_cast<std::size_t>(s.colour) % of_colour.size()];
 }
 
@@ -86,7 +86,7 @@ void draw_series(Pen& pen, const ChartSeries& s, std::span<const ChartPoint> poi
       begin = end + 1;
     }
   }
-  if (s.style == Style::levels)
+  if (s.style == SeriesStyle::levels)
     for (const ChartPoint& p : points)
       pen.line(std::array<ChartPoint, 2>{{{p.x - level, p.y}, {p.x + level, p.y}}}, colour, 1.8);
   for (std::size_t i = 0; i < lo.size() && i < hi.size(); ++i) {
@@ -95,16 +95,16 @@ void draw_series(Pen& pen, const ChartSeries& s, std::span<const ChartPoint> poi
     for (const ChartPoint& end : {lo[i], hi[i]})
       pen.line(std::array<ChartPoint, 2>{{{end.x - cap, end.y}, {end.x + cap, end.y}}}, colour, thin);
   }
-  if (s.style == Style::points || s.style == Style::both) draw_marks(pen, s, points);
+  if (s.style == SeriesStyle::points || s.style == SeriesStyle::both) draw_marks(pen, s, points);
 }
 
 void draw_sample(Pen& pen, const ChartSeries& s, ChartPoint at, double length) {
   const ChartPoint end{at.x + length, at.y}, middle{at.x + length / 2, at.y};
   const Colour colour = colour_of(s);
-  if (s.style == Style::levels) pen.line(std::array{at, end}, colour, 1.8);
+  if (s.style == SeriesStyle::levels) pen.line(std::array{at, end}, colour, 1.8);
   if (has_line(s.style))
     pen.line(std::array{at, end}, colour, s.colour == ChartSeries::exact ? thin : stroke, dash_of(s));
-  if (s.style == Style::points || s.style == Style::both) draw_marks(pen, s, std::array{middle});
+  if (s.style == SeriesStyle::points || s.style == SeriesStyle::both) draw_marks(pen, s, std::array{middle});
 }
 
 } // namespace flipbook::render
