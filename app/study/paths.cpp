@@ -2,7 +2,7 @@
 #include "app/study/paths.h"
 
 #include "app/study/output_settings.h"
-#include "render/views/plots.h"
+#include "render/views/plot_names.h"
 #include "sim/frame/errors.h"
 #include "sim/scene/settings.h"
 

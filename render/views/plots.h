@@ -5,6 +5,7 @@
 #include "render/frame.h"
 #include "render/gui/ink.h"
 #include "render/theme.h"
+#include "render/views/plot_names.h"
 
 #include <optional>
 #include <span>
@@ -13,16 +14,6 @@
 #include <vector>
 
 namespace flipbook::render {
-
-/// A curve that view.plots can name.
-struct PlotName {
-  std::string_view name;         ///< of the history's column
-  std::string_view label, brief; ///< above the plot, and where there is little room
-};
-/// All of them. A column of any other name can be plotted too, under its own name.
-[[nodiscard]] std::span<const PlotName> plot_names();
-/// Stands for what each stage took of the kinetic energy: a plot for each stage of the run.
-inline constexpr std::string_view lost_by_stage = "lost";
 
 /// One quantity in all the panes that recorded it.
 struct Plot {

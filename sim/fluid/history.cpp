@@ -4,6 +4,7 @@
 #include "sim/fluid/channels.h"
 #include "sim/fluid/liquid_volume.h"
 #include "sim/fluid/publish.h"
+#include "sim/fluid/reach_row.h"
 
 #include <cmath>
 
@@ -30,6 +31,7 @@ HistoryRow history_row(const FluidState<Dim, Real>& s, FluidLedger<Dim, Real>& l
   row.add("divergence", "", ledger.take_divergence());
   if (s.settings.fluid.surface != Surface::full && ledger.start_volume() > 0)
     row.add("settled_volume", "", liquid_volume(s, pool) / ledger.start_volume());
+  if (s.settings.fluid.surface != Surface::full) add_reach(row, s.settings, s.grid, s.walls, s.particles);
   for (std::size_t i = 0; i < stage_names.size(); ++i)
     if (const auto stage = static_cast<Stage>(i); ledger.can_have(stage, s.settings))
       row.add("lost_" + std::string(stage_names[i].name), joule, -ledger.total(stage, Ledger::kinetic));

@@ -17,6 +17,7 @@ namespace flipbook {
 ///   momentum_drift          what the transfers have changed of the momentum
 ///   divergence              the largest |div u| dt in liquid after a projection, since the last row
 ///   settled_volume          volume of the liquid by its level set over that at the start; with a free surface only
+///   front, height           how far the liquid has come on the floor, how high it is at the wall (sim/core/reach.h)
 ///   noise                   RMS of |v_p - u(x_p)| (m/s), where asked for: it costs a transfer
 template <int Dim, class Real>
 [[nodiscard]] HistoryRow history_row(const FluidState<Dim, Real>& state, FluidLedger<Dim, Real>& ledger, bool noise,

@@ -2,6 +2,7 @@
 #include "sim/mpm/mpm_recorder.h"
 
 #include "sim/fluid/publish.h"
+#include "sim/fluid/reach_row.h"
 #include "sim/frame/errors.h"
 #include "sim/mpm/spokes.h"
 
@@ -82,6 +83,7 @@ HistoryRow history_row(const MpmState<Dim, Real>& s, const MpmLedger<Dim, Real>&
   HistoryRow row;
   add_energies(row, s, ledger);
   add_momenta(row, ledger);
+  add_reach(row, s.settings, s.grid, s.walls, s.particles);
   if (noise) row.add("noise", "m/s", root_mean_square(noise_of(s, pool)));
   return row;
 }

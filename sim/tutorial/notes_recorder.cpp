@@ -2,6 +2,7 @@
 #include "sim/tutorial/notes_recorder.h"
 
 #include "sim/core/cross.h"
+#include "sim/core/reach.h"
 #include "sim/frame/particle_order.h"
 
 #include <algorithm>
@@ -62,6 +63,19 @@ constexpr Source sources[] = {
      [](const NotesState&, const std::vector<Point3>&, std::size_t p) { return static_cast<double>(p); }},
 };
 
+/// As those of the other solvers; the walls are a layer of cells thick.
+DamReach collapse(const NotesState& s) {
+  ReachFrame f;
+  f.dim = 3;
+  f.dx = s.grid.h;
+  f.per_axis = s.settings.seeding.per_axis;
+  for (std::size_t a = 0; a < 3; ++a) f.size[a] = s.grid.uc[a] - s.grid.lc[a] - 2 * s.grid.h;
+  return dam_reach(f, s.settings.fluid.up(3), s.x.size(), [&](std::size_t p, int axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    return s.x[p][a] - s.grid.lc[a] - s.grid.h;
+  });
+}
+
 HistoryRow energies(const NotesState& s) {
   using Vector = Vec<3, double>;
   const double m = s.particle_mass();
@@ -87,6 +101,9 @@ HistoryRow energies(const NotesState& s) {
     row.add(std::string("momentum_") + axes[static_cast<std::size_t>(a)], "kg m/s", momentum[a]);
   for (int a = 0; a < 3; ++a)
     row.add(std::string("angular_momentum_") + axes[static_cast<std::size_t>(a)], "kg m^2/s", angular[a]);
+  const DamReach reached = collapse(s);
+  row.add("front", "m", reached.front);
+  row.add("height", "m", reached.height);
   return row;
 }
 
