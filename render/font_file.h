@@ -6,11 +6,11 @@
 
 namespace flipbook::render {
 
-/// The path of "DejaVuSans.ttf": in the folder FLIPBOOK_FONTS, else where distributions keep it; empty if nowhere.
+/// The path of "DejaVuSans.ttf": in the folder FLIPBOOK_FONTS if that is set, and nowhere else then; otherwise where
+/// distributions keep it. Empty if nowhere.
 [[nodiscard]] std::string find_font(const char* file);
 
-/// What to say where it is empty.
-inline constexpr const char* no_font_hint =
-    "no DejaVu fonts found (package fonts-dejavu-core, or FLIPBOOK_FONTS=folder)";
+/// What to say where it is empty: where it was looked for, and how to get it.
+[[nodiscard]] std::string no_font(const char* file);
 
 } // namespace flipbook::render

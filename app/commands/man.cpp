@@ -36,7 +36,7 @@ constexpr std::array<Item, 5> files{
 
 constexpr std::array<Item, 4> variables{
     {{"FLIPBOOK_ASSETS", "A folder with scenes, studies and templates of one's own; searched first."},
-     {"FLIPBOOK_FONTS", "A folder with DejaVuSans.ttf and its relatives; searched first."},
+     {"FLIPBOOK_FONTS", "The folder with DejaVuSans.ttf and its relatives, instead of the usual ones."},
      {"FLIPBOOK_SHADERS", "A folder of shaders to use instead of those in the program."},
      {"PATH", "Where ffmpeg is looked for, which encodes videos."}}};
 

@@ -65,6 +65,7 @@ private:
       const render::Workers workers = [&pool](int chunks, const auto& body) { pool.each(chunks, body); };
       render::Renderer renderer(*context, resolved_.output.size[0], resolved_.output.size[1], make_panel(), workers);
       simulating = std::thread([this] { simulate(); });
+      fonts_note_ = renderer.note();
       Progress progress(pictures_, options_.quiet);
       while (const auto bundle = exchange_.take()) {
         if (must_stop()) break;
@@ -118,6 +119,7 @@ private:
   void summarise(const Bundle& bundle, const render::Frame& frame) {
     ++summary_.pictures;
     summary_.warnings = frame.warnings;
+    if (!fonts_note_.empty()) summary_.warnings.push_back(fonts_note_);
     for (std::size_t i = 0; i < frame.panes.size(); ++i)
       for (const std::string& w : frame.panes[i].snapshot->warnings)
         summary_.warnings.push_back((frame.panes.size() > 1 ? "pane " + std::to_string(i + 1) + ": " : "") + w);
@@ -149,6 +151,7 @@ private:
   Driver driver_;
   std::vector<std::unique_ptr<SinkThread>> sinks_;
   IdenticalPanes identical_;
+  std::string fonts_note_; ///< of the renderer; empty: the fonts were found
   Summary summary_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

@@ -42,7 +42,7 @@ Image draw_chart(const Chart& chart) {
 
 void check_chart_fonts() {
   for (const char* file : {"DejaVuSans.ttf", "DejaVuSans-Bold.ttf"})
-    if (find_font(file).empty()) throw MachineError(std::string(no_font_hint) + ": a chart cannot be drawn");
+    if (find_font(file).empty()) throw MachineError(no_font(file) + ": a chart cannot be drawn");
 }
 
 } // namespace flipbook::render

@@ -62,7 +62,7 @@ cairo_font_face_t* load(const char* name) {
   const std::string path = find_font(name);
   FT_Face file = nullptr;
   if (!library || path.empty() || FT_New_Face(library, path.c_str(), 0, &file) != 0)
-    throw MachineError(std::string(no_font_hint) + ": a chart cannot be drawn");
+    throw MachineError(no_font(name) + ": a chart cannot be drawn");
   // Outlines as designed: a hinter would follow the version of FreeType.
   cairo_font_face_t* face = cairo_ft_font_face_create_for_ft_face(file, FT_LOAD_NO_HINTING | FT_LOAD_NO_AUTOHINT);
   const auto done = [](void* f) { FT_Done_Face(static_cast<FT_Face>(f)); };

@@ -2,6 +2,7 @@
 #include "render/gui/fonts.h"
 
 #include "render/font_file.h"
+#include "render/gui/plain_text.h"
 
 #include <imgui.h>
 #include <imgui_freetype.h>
@@ -45,7 +46,8 @@ Fonts::Fonts(float scale) : scale_(scale), atlas_(std::make_unique<ImFontAtlas>(
       ImFontConfig config;
       config.SizePixels = pixels;
       fonts_[i] = atlas_->AddFontDefault(&config);
-      note_ = std::string(no_font_hint) + ": text is drawn with a plain built-in font";
+      plain_ = true;
+      if (note_.empty()) note_ = no_font(faces[i].file) + ": text is drawn with a plain built-in font";
     }
   }
   atlas_->Build();
@@ -57,19 +59,31 @@ float Fonts::size(Type t) const {
   return font(t)->FontSize;
 }
 
+std::string Fonts::drawable(std::string_view text) const {
+  if (!plain_) return std::string(text);
+  const ImFont* font = fonts_[0];
+  return plain_text(text, [&](char32_t code) {
+    return code <= IM_UNICODE_CODEPOINT_MAX && font->FindGlyphNoFallback(static_cast<ImWchar>(code)) != nullptr;
+  });
+}
+
 float Fonts::width(Type t, std::string_view text) const {
+  return plain_ ? plain_width(t, drawable(text)) : plain_width(t, text);
+}
+
+float Fonts::plain_width(Type t, std::string_view text) const {
   return font(t)->CalcTextSizeA(size(t), 1e9F, 0, text.data(), text.data() + text.size()).x;
 }
 
 std::string Fonts::fit(Type t, std::string_view text, float max_width) const {
-  if (width(t, text) <= max_width) return std::string(text);
+  if (width(t, text) <= max_width) return drawable(text);
   std::string_view head = text;
   while (!head.empty()) {
     head.remove_suffix(1);
     const bool inside_character = (static_cast<unsigned char>(text[head.size()]) & 0xC0U) == 0x80U;
     if (inside_character || (!head.empty() && head.back() == ' ')) continue;
     const std::string candidate = std::string(head) + "…";
-    if (width(t, candidate) <= max_width) return head.empty() ? "" : candidate;
+    if (width(t, candidate) <= max_width) return head.empty() ? "" : drawable(candidate);
   }
   return {};
 }

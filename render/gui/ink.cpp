@@ -27,7 +27,8 @@ void Ink::text(const Rect& box, Type t, Colour c, std::string_view text, Align a
   labels_->push_back({{x, y, width, height}, shown});
 }
 
-void Ink::slanted(Point centre, Type t, Colour c, std::string_view text, float magnification, float angle) {
+void Ink::slanted(Point centre, Type t, Colour c, std::string_view words, float magnification, float angle) {
+  const std::string text = fonts_->drawable(words);
   const int first = list_->VtxBuffer.Size;
   const float width = magnification * fonts_->width(t, text), height = magnification * fonts_->size(t);
   list_->AddText(fonts_->font(t), height, {centre.x - width / 2, centre.y - height / 2}, c.packed(), text.data(),
