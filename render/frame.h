@@ -2,9 +2,11 @@
 // Everything that one picture is made from. A picture is a pure function of a Frame and the ViewSettings.
 #pragma once
 
+#include "sim/frame/reference_curve.h"
 #include "sim/frame/snapshot.h"
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,7 +34,12 @@ struct Frame {
   std::vector<PointerTarget>
       pointer;          ///< the pointer goes to the one with the largest grip; all 0 or empty: none is drawn
   bool turning = false; ///< the timeline moves the camera around: the tank then keeps its size from frame to frame
-  std::vector<std::string> warnings; ///< "panes 2 and 3 show identical particles"
+  std::vector<std::string> warnings;                               ///< "panes 2 and 3 show identical particles"
+  std::shared_ptr<const std::vector<ReferenceCurve>> references{}; ///< for the plots; null: none
+
+  [[nodiscard]] std::span<const ReferenceCurve> shown_references() const {
+    return references ? std::span<const ReferenceCurve>(*references) : std::span<const ReferenceCurve>{};
+  }
 };
 
 /// What its times are in: the unit of its panes, seconds where they differ.

@@ -82,6 +82,17 @@ struct Renderer::Impl {
     return canvas.read();
   }
 
+  void measure(const Frame& frame, const ViewSettings& view) {
+    labels.clear();
+    const Page page(frame, view, fonts, canvas.width(), canvas.height());
+    gui::Session session(fonts, canvas.width(), canvas.height(), palette(view.theme));
+    (void)run_panel(session, frame, view, page.layout().panel);
+    const std::unique_ptr<ImDrawList> list = session.list();
+    gui::Ink ink(*list, fonts, labels);
+    page.draw_under(ink);
+    page.draw_over(ink);
+  }
+
   Image draw_live(const Frame& frame, const ViewSettings& view, const LiveLayer& layer) {
     labels.clear();
     const Page page(frame, view, fonts, canvas.width(), canvas.height());
@@ -149,6 +160,10 @@ Image Renderer::draw(const Frame& frame, const ViewSettings& view) {
 }
 Image Renderer::draw_live(const Frame& frame, const ViewSettings& view, const LiveLayer& layer) {
   return impl_->draw_live(frame, view, layer);
+}
+const std::vector<TextBox>& Renderer::measure(const Frame& frame, const ViewSettings& view) {
+  impl_->measure(frame, view);
+  return impl_->labels;
 }
 const std::vector<PaneView>& Renderer::panes() const {
   return impl_->live_panes;

@@ -63,6 +63,8 @@ public:
   [[nodiscard]] Image draw(const Frame& frame, const ViewSettings& view);
   /// The same with a panel that a person uses: what it shows depends on what was done before.
   [[nodiscard]] Image draw_live(const Frame& frame, const ViewSettings& view, const LiveLayer& layer);
+  /// Where the text of a picture would be, without drawing it.
+  [[nodiscard]] const std::vector<TextBox>& measure(const Frame& frame, const ViewSettings& view);
   /// Where the panes of the last live picture are. They point into its frame.
   [[nodiscard]] const std::vector<PaneView>& panes() const;
   [[nodiscard]] const Rect& panel() const; ///< and its panel

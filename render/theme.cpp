@@ -29,8 +29,8 @@ constexpr Palette dark{
     .warning = Colour::hex(0xf2b33d),
     .holds = Colour::hex(0x5fbf8a),
     .fails = Colour::hex(0xff6f61),
-    .variants = {Colour::hex(0x56b4e9), Colour::hex(0xe69f00), Colour::hex(0x20b58a), Colour::hex(0xe07bb4),
-                 Colour::hex(0xf0e442), Colour::hex(0xf0693a), Colour::hex(0x8f9cf5), Colour::hex(0xb8c0c8),
+    .variants = {Colour::hex(0x56b4e9), Colour::hex(0xe69f00), Colour::hex(0x44ab74), Colour::hex(0xe96ab8),
+                 Colour::hex(0xd2e549), Colour::hex(0xe7551b), Colour::hex(0x8f9cf5), Colour::hex(0xb8c0c8),
                  Colour::hex(0xb5e07a), Colour::hex(0xc79a6b), Colour::hex(0x7fe0d6), Colour::hex(0xf3b6a8)},
 };
 
@@ -57,8 +57,8 @@ constexpr Palette light{
     .warning = Colour::hex(0xa86200),
     .holds = Colour::hex(0x1e8a4f),
     .fails = Colour::hex(0xc62f23),
-    .variants = {Colour::hex(0x0072b2), Colour::hex(0xd98200), Colour::hex(0x008a64), Colour::hex(0xb8528c),
-                 Colour::hex(0x9a8a00), Colour::hex(0xc8440f), Colour::hex(0x4a52c4), Colour::hex(0x5f6871),
+    .variants = {Colour::hex(0x0072b2), Colour::hex(0xd98200), Colour::hex(0x009761), Colour::hex(0xbe6c95),
+                 Colour::hex(0x937903), Colour::hex(0xab483a), Colour::hex(0x4a52c4), Colour::hex(0x5f6871),
                  Colour::hex(0x5c8f1f), Colour::hex(0x8a5a2b), Colour::hex(0x12949a), Colour::hex(0xd0706a)},
 };
 

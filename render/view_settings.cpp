@@ -50,6 +50,7 @@ void ViewSettings::describe(ParameterVisitor& v) {
             .min = 0,
             .max = 1e6},
            time_axis);
+    plotting.describe(v);
     v.choice({.name = "ledger", .help = "A table beside each pane: what every stage of a step changed."}, ledger,
              ledgers);
     v.flag({.name = "pointer", .help = "Draw the hand that moves the sliders of a timeline."}, pointer);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "render/views/look_settings.h"
+#include "render/views/plot_settings.h"
 #include "sim/frame/parameters.h"
 #include "sim/frame/snapshot.h"
 
@@ -33,6 +34,7 @@ struct ViewSettings {
   std::vector<std::string> plots{"kinetic", "potential", "total", "transfer_loss"};
   double plot_height = 0.24; ///< share of the frame; 0: no plots
   double time_axis = 0;      ///< length of the plots' time axis (s), until the run outlasts it; 0: that of the run
+  PlotSettings plotting;     ///< how the curves are drawn
   LedgerView ledger = LedgerView::off;
   bool pointer = true, steady = false; ///< of a timeline: the hand on the sliders; the size of a tank that turns
 

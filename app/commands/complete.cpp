@@ -66,7 +66,7 @@ void add_assets(Collector& all, const char* folder, const char* key) {
 void add_values(Collector& all, const Parameter& p) {
   Words values = p.options;
   if (p.kind == Kind::flag) values = {"true", "false"};
-  if (p.path == "view.plots") values = plot_names();
+  if (p.path == "view.plots" || p.path == "view.log") values = plot_names();
   for (std::size_t i = 0; i < values.size(); ++i) all.add(values[i], i < p.option_help.size() ? p.option_help[i] : "");
 }
 

@@ -36,10 +36,9 @@ Refusal check_panel(const std::vector<std::string>& panel) {
   return {};
 }
 
-Refusal check_plots(const std::vector<std::string>& plots) {
+Refusal check_plots(const std::string& path, const std::vector<std::string>& plots) {
   for (const std::string& wanted : plots)
-    if (!contains(plot_names(), wanted))
-      return {"view.plots: no curve is called \"" + wanted + "\"", nearest_name(wanted, plot_names())};
+    if (Refusal r = check_plot(wanted); !r.message.empty()) return {path + ": " + r.message, r.nearest};
   return {};
 }
 
@@ -99,9 +98,15 @@ const std::vector<std::string>& plot_names() {
   return all;
 }
 
+Refusal check_plot(const std::string& name) {
+  if (contains(plot_names(), name)) return {};
+  return {"no curve is called \"" + name + "\"", nearest_name(name, plot_names())};
+}
+
 ViewMistake check_view(const render::ViewSettings& view) {
   if (Refusal r = check_panel(view.panel); !r.message.empty()) return {"view.panel", std::move(r)};
-  if (Refusal r = check_plots(view.plots); !r.message.empty()) return {"view.plots", std::move(r)};
+  if (Refusal r = check_plots("view.plots", view.plots); !r.message.empty()) return {"view.plots", std::move(r)};
+  if (Refusal r = check_plots("view.log", view.plotting.log); !r.message.empty()) return {"view.log", std::move(r)};
   if (view.range[0] > view.range[1])
     return {"view.range",
             {"view.range must go from the lower end to the upper one, not from " + to_toml(Value(view.range[0])) +

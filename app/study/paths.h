@@ -29,6 +29,9 @@ namespace flipbook::app {
 /// The columns of the ledger, which view.plots chooses from.
 [[nodiscard]] const std::vector<std::string>& plot_names();
 
+/// Message empty: there is a curve of this name, or "lost".
+[[nodiscard]] Refusal check_plot(const std::string& name);
+
 /// What one parameter of the view cannot check by itself: names in the panel and the plots, the order of the range.
 struct ViewMistake {
   std::string path; ///< empty: all is well

@@ -190,28 +190,48 @@ private:
     return {x0, y0, used_w, used_h};
   }
 
-  /// The legend in as many lines as it needs (at most two), then the plots in the columns that suit the space.
-  void place_plots(Rect area) {
-    if (!r_.legend.empty()) {
-      const std::size_t n = r_.legend.size();
-      float total = 0;
-      for (const float w : r_.legend) total += w;
-      const bool one_line = total <= area.w;
-      const std::size_t per_line = one_line ? n : (n + 1) / 2;
-      float x = area.x, y = area.y;
-      for (std::size_t i = 0; i < n; ++i) {
-        if (i == per_line) {
-          x = area.x;
-          y += pt(legend_height);
-        }
-        const float w = one_line ? r_.legend[i] : area.w / static_cast<float>(per_line);
-        out_.legend.push_back({std::round(x), y, w - pt(4), pt(legend_height)});
-        x += w;
-      }
-      const float used = y + pt(legend_height + 4) - area.y;
-      area.y += used;
-      area.h -= used;
+  /// Entries of the legend from the first to before the last in one line, which none leaves.
+  void place_legend_line(const Rect& area, float y, std::size_t first, std::size_t last, float cell) {
+    float x = area.x;
+    for (std::size_t i = first; i < last; ++i) {
+      const float w = cell > 0 ? cell : r_.legend[i];
+      out_.legend.push_back({std::round(x), y, w - pt(4), pt(legend_height)});
+      x += w;
     }
+  }
+
+  /// One line if all fit; else those of the panes in one or two lines, and below them those of the references. Where
+  /// even that is narrow the entries of a line get equal shares of it.
+  void place_legend(Rect& area) {
+    const std::size_t n = r_.legend.size(), panes = n - r_.references;
+    if (n == 0) return;
+    const auto total = [&](std::size_t first, std::size_t last) {
+      float sum = 0;
+      for (std::size_t i = first; i < last; ++i) sum += r_.legend[i];
+      return sum;
+    };
+    float y = area.y;
+    const auto add_line = [&](std::size_t first, std::size_t last, float cell) {
+      place_legend_line(area, y, first, last, cell);
+      y += pt(legend_height);
+    };
+    if (total(0, n) <= area.w) {
+      add_line(0, n, 0);
+    } else {
+      const std::size_t half = total(0, panes) <= area.w ? panes : (panes + 1) / 2;
+      const float cell = half == panes ? 0 : area.w / static_cast<float>(half);
+      if (panes > 0) add_line(0, half, cell);
+      if (half < panes) add_line(half, panes, cell);
+      if (panes < n) add_line(panes, n, total(panes, n) <= area.w ? 0 : area.w / static_cast<float>(r_.references));
+    }
+    const float used = y + pt(4) - area.y;
+    area.y += used;
+    area.h -= used;
+  }
+
+  /// The legend, then the plots in the columns that suit the space.
+  void place_plots(Rect area) {
+    place_legend(area);
     std::size_t columns = 1;
     float best = 0;
     for (std::size_t c = 1; c <= r_.plots; ++c) {

@@ -36,6 +36,8 @@ struct LayoutRequest {
   std::size_t plots = 4;
   double plot_height = 0.24; ///< share of the picture; 0: no plots
   std::vector<float> legend; ///< width of each entry, pixels
+  std::size_t references =
+      0; ///< how many of them, the last ones, are others' curves: if need be on a line of their own
   std::size_t footer_lines = 0;
   std::vector<TableSize> tables;    ///< one form of them is placed if there is room; empty: no tables
   float colour_label = 0, time = 0; ///< widths of the texts in the header, pixels; no label: no colour bar

@@ -21,8 +21,7 @@ using gui::Type;
 namespace {
 
 constexpr std::size_t most_warnings = 2;
-constexpr std::size_t most_shared_lines = 3;           // of notes, where there are tables
-constexpr float legend_swatch = 22, legend_space = 24; // points
+constexpr std::size_t most_shared_lines = 3; // of notes, where there are tables
 
 std::vector<std::vector<float>> all_values(const Frame& frame, const ViewSettings& view) {
   std::vector<std::vector<float>> values;
@@ -55,7 +54,7 @@ std::array<double, 2> extent(const Snapshot& s, const ViewSettings& view, bool t
 
 Page::Page(const Frame& frame, const ViewSettings& view, const gui::Fonts& fonts, int width, int height)
     : frame_(frame), view_(view), palette_(palette(view.theme)), values_(all_values(frame, view)),
-      scale_(shared_scale(frame, view, values_)), plots_(plots_of(frame, view)) {
+      scale_(shared_scale(frame, view, values_)), plots_(plots_of(frame, view)), legend_(frame, plots_) {
   collect_footer();
   LayoutRequest r;
   r.width = width;
@@ -75,10 +74,8 @@ Page::Page(const Frame& frame, const ViewSettings& view, const gui::Fonts& fonts
   r.plot_height = view.plot_height;
   if (!scale_.quantity->names) r.colour_label = std::ceil(fonts.width(Type::body, colour_bar_label(scale_))) + 1;
   r.time = std::ceil(fonts.width(Type::title, time_text(std::max(frame.time, frame.duration)))) + 2;
-  if (frame.panes.size() > 1 && !plots_.empty())
-    for (const Pane& p : frame.panes)
-      r.legend.push_back(std::ceil(fonts.width(Type::small, p.title)) +
-                         std::round((legend_swatch + legend_space) * r.scale));
+  r.legend = legend_.widths(fonts);
+  r.references = legend_.references();
   arrange_parts(r, fonts);
   place_domains();
   fit_texts(fonts);
@@ -106,13 +103,10 @@ void Page::arrange_parts(LayoutRequest& r, const gui::Fonts& fonts) {
 
 void Page::fit_texts(const gui::Fonts& fonts) {
   std::vector<std::string> titles;
-  std::vector<float> widths, legend_widths;
+  std::vector<float> widths;
   for (const Pane& p : frame_.panes) titles.push_back(p.title);
   for (const PaneBox& p : layout_.panes) widths.push_back(p.title.w);
   titles_ = fit_titles(fonts, Type::strong, titles, widths);
-  if (layout_.legend.empty()) return;
-  for (const Rect& r : layout_.legend) legend_widths.push_back(r.w - legend_swatch * fonts.scale());
-  legend_ = fit_titles(fonts, Type::small, titles, legend_widths);
 }
 
 void Page::place_domains() {
@@ -215,8 +209,8 @@ void Page::draw_under(gui::Ink& ink) const {
 void Page::draw_over(gui::Ink& ink) const {
   draw_header(ink);
   for (std::size_t i = 0; i < views_.size(); ++i) draw_pane(ink, i);
-  draw_legend(ink);
-  draw_plots(ink, layout_.plots, plots_, frame_, palette_);
+  legend_.draw(ink, layout_.legend, palette_);
+  draw_plots(ink, layout_.plots, plots_, frame_, view_.plotting, palette_);
   draw_footer(ink);
 }
 
@@ -262,16 +256,6 @@ void Page::draw_pane(gui::Ink& ink, std::size_t i) const {
   const LedgerForm& form = ledger_forms_[static_cast<std::size_t>(layout_.tables)];
   draw_ledger(ink, box.table, *v.snapshot, view_.ledger, form,
               pane_notes_.empty() ? std::span<const std::string>{} : pane_notes_[i], palette_);
-}
-
-void Page::draw_legend(gui::Ink& ink) const {
-  for (std::size_t i = 0; i < layout_.legend.size(); ++i) {
-    const Rect& r = layout_.legend[i];
-    const float y = std::round(r.middle_y()), swatch = ink.pt(legend_swatch - 6);
-    draw_stroke(ink, std::array{gui::Point{r.x, y}, gui::Point{r.x + swatch, y}}, i, palette_);
-    const float indent = ink.pt(legend_swatch);
-    ink.text({r.x + indent, r.y, r.w - indent, r.h}, Type::small, palette_.text, legend_.text[i]);
-  }
 }
 
 /// Warnings first; then, quietly, the scale of the arrows and the notes.

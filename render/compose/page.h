@@ -3,6 +3,7 @@
 #pragma once
 
 #include "render/compose/layout.h"
+#include "render/compose/legend.h"
 #include "render/compose/titles.h"
 #include "render/views/colour_by.h"
 #include "render/views/domain.h"
@@ -37,7 +38,6 @@ private:
   template <class Draw> void within(gui::Ink& ink, const PaneView& pane, Draw&& draw) const;
   void draw_header(gui::Ink& ink) const;
   void draw_pane(gui::Ink& ink, std::size_t i) const;
-  void draw_legend(gui::Ink& ink) const;
   void draw_footer(gui::Ink& ink) const;
   [[nodiscard]] std::string caption(gui::Ink& ink, std::size_t i) const;
   [[nodiscard]] std::string time_text(double time) const;
@@ -55,7 +55,8 @@ private:
   std::vector<LedgerForm> ledger_forms_;
   Layout layout_;
   std::vector<PaneView> views_;
-  FittedTitles titles_, legend_;
+  FittedTitles titles_;
+  Legend legend_;
 };
 
 } // namespace flipbook::render

@@ -65,29 +65,34 @@ void Ink::polyline(std::span<const Point> points, Colour c, float thickness) {
   list_->PathStroke(c.packed(), 0, thickness);
 }
 
-void Ink::dashes(std::span<const Point> points, Colour c, float thickness, float on, float off) {
-  float phase = 0; // distance into the pattern
+void Ink::dashes(std::span<const Point> points, Colour c, float thickness, std::span<const float> pattern) {
+  std::size_t part = 0;
+  float left = pattern[0]; // of this part
   std::vector<Point> dash;
   for (std::size_t i = 1; i < points.size(); ++i) {
     const Point a = points[i - 1], b = points[i];
     const float length = std::hypot(b.x - a.x, b.y - a.y);
     float done = 0;
     while (done < length) {
-      const bool drawing = phase < on;
-      const float step = std::min(length - done, (drawing ? on : on + off) - phase);
+      const bool drawing = part % 2 == 0;
+      const float step = std::min(length - done, left);
       const auto at = [&](float s) { return Point{a.x + (b.x - a.x) * s / length, a.y + (b.y - a.y) * s / length}; };
       if (drawing && dash.empty()) dash.push_back(at(done));
       done += step;
-      phase += step;
+      left -= step;
       if (drawing) dash.push_back(at(done));
-      if (drawing && phase >= on) {
-        polyline(dash, c, thickness);
-        dash.clear();
-      }
-      if (phase >= on + off) phase = 0;
+      if (left > 0) continue;
+      if (drawing) polyline(dash, c, thickness);
+      dash.clear();
+      part = (part + 1) % pattern.size();
+      left = pattern[part];
     }
   }
   if (dash.size() > 1) polyline(dash, c, thickness);
+}
+
+void Ink::dashes(std::span<const Point> points, Colour c, float thickness, float on, float off) {
+  dashes(points, c, thickness, std::array{on, off});
 }
 
 void Ink::disc(Point centre, float radius, Colour c) {
@@ -112,6 +117,11 @@ void Ink::convex(std::span<const Point> corners, Colour c) {
   for (std::size_t i = 0; i < corners.size(); ++i)
     list_->PathLineTo(vec(twice_area >= 0 ? corners[i] : corners[corners.size() - 1 - i]));
   list_->PathFillConvex(c.packed());
+}
+
+void Ink::loop(std::span<const Point> corners, Colour c, float thickness) {
+  for (const Point& p : corners) list_->PathLineTo(vec(p));
+  list_->PathStroke(c.packed(), ImDrawFlags_Closed, thickness);
 }
 
 void Ink::mesh(std::span<const Point> corners, std::span<const std::uint32_t> triangles, Colour c) {

@@ -43,12 +43,14 @@ public:
   void frame(const Rect& r, Colour c, float thickness, float rounding = 0);
   void line(Point a, Point b, Colour c, float thickness);
   void polyline(std::span<const Point> points, Colour c, float thickness);
-  /// `on` and `off` are lengths in pixels along the curve.
+  /// `pattern`: lengths in pixels along the curve, drawn and left out in turn, again and again.
+  void dashes(std::span<const Point> points, Colour c, float thickness, std::span<const float> pattern);
   void dashes(std::span<const Point> points, Colour c, float thickness, float on, float off);
   void disc(Point centre, float radius, Colour c);
   void ring(Point centre, float radius, Colour c, float thickness);
   void triangle(Point a, Point b, Point c, Colour colour);
-  void convex(std::span<const Point> corners, Colour c); ///< in either direction
+  void convex(std::span<const Point> corners, Colour c);                ///< in either direction
+  void loop(std::span<const Point> corners, Colour c, float thickness); ///< its outline
   /// Triangles that share their edges, three corners each; nothing shows where they meet.
   void mesh(std::span<const Point> corners, std::span<const std::uint32_t> triangles, Colour c);
   void clip(const Rect& r);

@@ -57,6 +57,14 @@ Ticks enclosing_ticks(double lo, double hi, int most) {
   return ticks(lo, hi, std::max(most, 3), true);
 }
 
+DecadeTicks decade_ticks(double lo, double hi, int most) {
+  DecadeTicks d;
+  d.first = static_cast<int>(std::floor(std::log10(lo) + 1e-9));
+  d.last = std::max(static_cast<int>(std::ceil(std::log10(hi) - 1e-9)), d.first + 1);
+  d.stride = (d.last - d.first) / std::max(most, 2) + 1;
+  return d;
+}
+
 double round_up(double x) {
   const double power = std::pow(10, std::floor(std::log10(x)));
   for (const double m : {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0})
@@ -77,6 +85,22 @@ std::string tick_label(double x, double step) {
   for (double s = step; decimals < 8 && std::abs(s - std::round(s)) > 1e-6 * s; s *= 10) ++decimals;
   std::snprintf(text.data(), text.size(), "%.*f", decimals, x);
   return typeset(text.data());
+}
+
+std::string value_label(double x, double step) {
+  if (std::max(std::abs(x), step) >= 1e5 || step < 1e-4) return number(x, 3);
+  std::array<char, 40> text{};
+  const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+  const double unit = std::pow(10.0, -decimals);
+  std::snprintf(text.data(), text.size(), "%.*f", decimals, std::abs(x) < unit / 2 ? 0 : x); // not "−0.0"
+  return typeset(text.data());
+}
+
+std::string power_of_ten(int exponent) {
+  static constexpr std::array<const char*, 10> digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = exponent < 0 ? "10⁻" : "10";
+  for (const char c : std::to_string(std::abs(exponent))) text += digits[static_cast<std::size_t>(c - '0')];
+  return text;
 }
 
 std::string number(double x, int digits) {

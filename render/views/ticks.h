@@ -17,10 +17,20 @@ struct Ticks {
 [[nodiscard]] Ticks round_ticks(double lo, double hi, int most);
 /// The same (at least 3), with the first at or below lo and the last at or above hi.
 [[nodiscard]] Ticks enclosing_ticks(double lo, double hi, int most);
+/// The ticks of a logarithmic axis: whole decades that hold [lo, hi] (0 < lo <= hi).
+struct DecadeTicks {
+  int first = 0, last = 1; ///< powers of ten at its ends
+  int stride = 1;          ///< every so many decades have a label: at most `most`
+};
+[[nodiscard]] DecadeTicks decade_ticks(double lo, double hi, int most);
 /// The next of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten that is not below x (x > 0).
 [[nodiscard]] double round_up(double x);
 /// With as many decimals as `step` needs, and a true minus sign.
 [[nodiscard]] std::string tick_label(double x, double step);
+/// With one digit more than a tick of such a step: what a curve's last value is written as.
+[[nodiscard]] std::string value_label(double x, double step);
+/// 10⁻³ for -3.
+[[nodiscard]] std::string power_of_ten(int exponent);
 /// At most `digits` significant digits, no trailing zeros, thin exponents: "0.97", "1.2e−6".
 [[nodiscard]] std::string number(double x, int digits);
 /// m/s² for m/s^2.

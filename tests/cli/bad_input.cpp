@@ -84,6 +84,7 @@ const Case command_lines[] = {
     {"group", with({"render", "dam_break", "--set", "transfer=3"}, tiny), {"group", "transfer.scheme"}},
     {"panel", with({"render", "dam_break", "--set", "view.panel=flip_rato"}, tiny), {"\"transfer.flip_ratio\""}},
     {"plots", with({"render", "dam_break", "--set", "view.plots=kinetik"}, tiny), {"\"kinetic\""}},
+    {"log", with({"render", "dam_break", "--set", "view.log=kinetik"}, tiny), {"view.log", "\"kinetic\""}},
     {"range", with({"render", "dam_break", "--set", "view.range=2,1"}, tiny), {"view.range", "from 2 to 1"}},
     {"size", {"render", "dam_break", "--size", "x"}, {"--size x", "1280x720"}},
     {"size_half", {"render", "dam_break", "--size", "1280x"}, {"--size 1280x", "1280x720"}},
@@ -170,6 +171,12 @@ const Case studies[] = {
     {"timeline_variant_number",
      {"scene = \"dam_break\"\n[[key]]\nt = 0.1\nvariant = 2\ntime.cfl = 0.3\n"},
      {"study.toml:5:", "no variant 2"}},
+    {"reference_file",
+     {"scene = \"dam_break\"\n[[reference]]\nplot = \"front\"\nfile = \"none.csv\"\n"},
+     {"study.toml:4:", "none.csv"}},
+    {"reference_plot",
+     {"scene = \"dam_break\"\n[[reference]]\nplot = \"frnt\"\nfile = \"martin_moyce_1952_front.csv\"\n"},
+     {"study.toml:3:", "\"front\""}},
     {"timeline_restart",
      {"scene = \"dam_break\"\n[[key]]\nt = 0.1\ngrid.cells = [8, 8]\n"},
      {"study.toml:4:", "grid.cells"}},
@@ -210,6 +217,15 @@ TEST(Machine, AnFfmpegThatFailsIsQuoted) {
       run(with({"render", "dam_break", "-q", "-o", "a.mp4"}, tiny), f.path(), {.environment = {{"PATH", f.path()}}});
   expect_refusal(o, 3, {"a.mp4", "exit code 7", "unknown encoder, dear"});
   EXPECT_EQ(f.files(), Words{"ffmpeg"});
+}
+
+TEST(Machine, NoFontsAreAWarningThatSaysWhereTheyWereLookedFor) {
+  const Folder f;
+  const Outcome o = run(with({"render", "dam_break", "-o", "frames/"}, tiny), f.path(),
+                        {.environment = {{"FLIPBOOK_FONTS", "/nowhere"}}});
+  EXPECT_EQ(o.code, 0);
+  EXPECT_THAT(o.err, ::testing::HasSubstr("no DejaVuSans.ttf in /nowhere (package fonts-dejavu-core"));
+  EXPECT_EQ(f.files().size(), 3U);
 }
 
 TEST(Machine, NoGlSaysWhatWasTried) {

@@ -2,6 +2,8 @@
 // What colour maps promise: equal steps of value look equal, order can be read from lightness alone, zero is neutral.
 #include "render/theme.h"
 #include "render/views/colour_by.h"
+#include "render/views/curve_style.h"
+#include "tests/golden/colour_vision.h"
 #include "tests/golden/pictures.h"
 
 #include <gtest/gtest.h>
@@ -72,6 +74,29 @@ TEST(Palettes, VariantsDifferFromEachOtherAndThePage) {
     EXPECT_GT(std::abs(to_oklab(p.text).l - to_oklab(p.page).l), 0.7);
     EXPECT_GT(std::abs(to_oklab(p.muted).l - to_oklab(p.pane).l), 0.35);
   }
+}
+
+/// Whatever cones a reader has: the first six and all neighbours differ in colour, and any two in colour or in their
+/// lines. 0.05 in Oklab is two and a half just noticeable differences.
+TEST(Palettes, VariantsDifferForEveryColourVision) {
+  for (const Theme theme : {Theme::light, Theme::dark})
+    for (const ColourVision& vision : colour_visions) {
+      const Palette& p = palette(theme);
+      const auto apart = [&](std::size_t i, std::size_t k) {
+        return distance(to_oklab(seen(vision, p.variants[i])), to_oklab(seen(vision, p.variants[k])));
+      };
+      for (std::size_t i = 0; i < p.variants.size(); ++i) {
+        EXPECT_GT(std::abs(to_oklab(seen(vision, p.variants[i])).l - to_oklab(p.page).l), 0.2)
+            << vision.name << " " << i;
+        for (std::size_t k = i + 1; k < p.variants.size(); ++k) {
+          const CurveStyle &a = curve_style(i), &b = curve_style(k);
+          const bool lines = a.pattern != b.pattern || a.marker != b.marker;
+          EXPECT_TRUE(lines || apart(i, k) > 0.05) << vision.name << " " << i << " " << k;
+          const double least = k < 6 ? 0.06 : k == i + 1 ? 0.055 : 0;
+          EXPECT_GT(apart(i, k), least) << vision.name << " " << i << " " << k;
+        }
+      }
+    }
 }
 
 std::vector<std::vector<float>> values_of(const Frame& f, const ViewSettings& view) {

@@ -3,6 +3,7 @@
 // ones.
 #include "app/panel/panel.h"
 #include "tests/golden/bodies.h"
+#include "tests/golden/curves.h"
 #include "tests/golden/ledgers.h"
 #include "tests/golden/pictures.h"
 
@@ -117,6 +118,24 @@ render::Frame ledger_states() {
   return f;
 }
 
+/// Fronts that meet a wall one after the other, over an experiment's.
+render::Frame fronts() {
+  render::Frame f = curves_frame(3, {{"front", "m", [](std::size_t i, double t) {
+                                        return std::min(1.0, 0.4 + (1.0 + 0.25 * static_cast<double>(i)) * t * t * 2);
+                                      }}});
+  add_references(f, "front");
+  return f;
+}
+
+/// Every line style at once; the last value of each.
+render::Frame twelve_curves() {
+  return curves_frame(
+      12,
+      {{"total", "J/m",
+        [](std::size_t i, double t) { return 100 * static_cast<double>(i + 1) * (1 + 0.1 * std::sin(20 * t)); }}},
+      0.8);
+}
+
 const std::vector<std::string> bare{"view.show_panel=false", "view.plot_height=0", "view.captions=false"};
 std::vector<std::string> bare_with(std::vector<std::string> more) {
   more.insert(more.end(), bare.begin(), bare.end());
@@ -164,6 +183,27 @@ std::vector<Case> cases() {
        720},
       {"ledger_states", {"view.ledger=total", "view.show_panel=false", "view.plot_height=0"}, ledger_states, 1280, 720},
       {"ledger_left_out", {"view.ledger=total"}, [] { return ledger_frame(4); }},
+      {"plots_log",
+       {"view.show_panel=false", "view.plot_height=0.5", "view.log=transfer_loss,total",
+        "view.plots=transfer_loss,total,kinetic"},
+       [] { return curves_frame(4, energies()); },
+       854,
+       480},
+      {"plots_references_light",
+       {"view.show_panel=false", "view.plot_height=0.5", "view.theme=light", "view.plots=front"},
+       fronts,
+       640,
+       480},
+      {"plots_shared_axes",
+       {"view.show_panel=false", "view.plot_height=0.45", "view.shared_axes=true"},
+       [] { return curves_frame(3, energies()); },
+       854,
+       480},
+      {"plots_twelve_light",
+       {"view.show_panel=false", "view.plot_height=0.6", "view.theme=light", "view.plots=total", "view.captions=false"},
+       twelve_curves,
+       854,
+       480},
       {"mistake_dark", bare, [] { return mistaken(two_dams()); }, 480, 270},
       {"mistake_3d_light", bare_with({"view.theme=light"}), [] { return mistaken(one("dam_3d")); }, 480, 270},
       {"twelve_panes", {"view.panel=cfl,gravity,kernel"}, [] { return dam_frame(12); }, 854, 480},
