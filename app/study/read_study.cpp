@@ -140,7 +140,8 @@ Study from_tree(const Node& root, const std::string& file) {
   read_variants(root, study, mistakes);
   for (const Node* node : tables(root.find("key"), "key", mistakes)) read_key(*node, study, mistakes);
   for (const Node* node : tables(root.find("edit"), "edit", mistakes)) read_edit(*node, study.edits, mistakes);
-  for (Assignment& a : parameters(root, {"title", "scene", "variant", "key", "edit"}, mistakes)) {
+  if (const Node* references = root.find("reference")) study.references = *references;
+  for (Assignment& a : parameters(root, {"title", "scene", "variant", "key", "edit", "reference"}, mistakes)) {
     (is_view(a.path) ? study.view : is_output(a.path) ? study.output : study.parameters).push_back(std::move(a));
   }
   mistakes.raise();

@@ -4,6 +4,7 @@
 #include "app/study/paths.h"
 #include "app/study/titles.h"
 #include "sim/scene/preset.h"
+#include "sim/scene/read_reference.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,8 @@ template <Described T> void apply_to(T& component, std::span<const Assignment> a
       mistakes.add(r.message, a.where, r.nearest);
 }
 
-const std::vector<std::string> keys_of_a_study{"title", "scene", "variant", "key", "edit"}, keys_of_a_variant{"label"};
+const std::vector<std::string> keys_of_a_study{"title", "scene", "variant", "key", "edit", "reference"},
+    keys_of_a_variant{"label"};
 
 using CheckPath = Refusal (*)(const std::string&, std::span<const std::string>);
 
@@ -87,6 +89,18 @@ void resolve_output(const Study& study, Resolved& resolved, Mistakes& mistakes) 
   if (r.message.empty()) return;
   const auto at = std::find_if(all.rbegin(), all.rend(), [](auto& a) { return a.path == "output.ledger"; });
   mistakes.add(r.message, at == all.rend() ? Location{} : at->where);
+}
+
+/// Those of the scene and of the study; each must belong to a curve that there is.
+void resolve_references(const Study& study, Resolved& resolved, Mistakes& mistakes) {
+  std::vector<ReferenceCurve> all = resolved.variants.front().scene.references;
+  if (study.references)
+    for (ReferenceCurve& r : read_references(*study.references, *study.scene.files, mistakes))
+      all.push_back(std::move(r));
+  for (const ReferenceCurve& r : all)
+    if (const Refusal wrong = check_plot(r.plot); !wrong.message.empty() && !r.plot.empty())
+      mistakes.add(wrong.message, r.where, wrong.nearest);
+  if (!all.empty()) resolved.references = std::make_shared<const std::vector<ReferenceCurve>>(std::move(all));
 }
 
 /// Simulated seconds from one frame to the next where the fluid notes' rule decides; 0 where it does not.
@@ -201,6 +215,7 @@ Resolved resolve(const Study& study) {
   resolved.title = study.title.empty() ? scene.summary : study.title;
   resolve_view(study, resolved, mistakes);
   resolve_output(study, resolved, mistakes);
+  resolve_references(study, resolved, mistakes);
   mistakes.raise();
   const double notes = notes_interval(study, resolved, mistakes);
 

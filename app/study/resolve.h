@@ -36,6 +36,7 @@ struct Resolved {
   std::uint64_t frames = 1; ///< of a video
   double duration = 0;      ///< seconds simulated in them
   Timeline timeline;
+  std::shared_ptr<const std::vector<ReferenceCurve>> references; ///< for the plots; null: none
   CommandLog edits; ///< made by hand: each acts after the picture of its frame; those on the view too
 
   [[nodiscard]] double time_of(std::uint64_t frame) const { return static_cast<double>(frame) * scale / output.fps; }

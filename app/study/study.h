@@ -43,8 +43,9 @@ struct Study {
   std::vector<Assignment> parameters; ///< for all variants
   std::vector<Assignment> view, output;
   std::vector<Variant> variants;
-  std::vector<Key> keys;   ///< in time order
-  std::vector<Edit> edits; ///< by hand, in order
+  std::vector<Key> keys;          ///< in time order
+  std::vector<Edit> edits;        ///< by hand, in order
+  std::optional<Node> references; ///< [[reference]], beside those of the scene
   bool overridden = false; ///< the command line changed what the keys were written for: those without use are left out
 };
 

@@ -55,17 +55,22 @@ bool lists_tables(const Node& entry) {
          std::all_of(entry.items.begin(), entry.items.end(), [](auto& n) { return n.type == Node::Type::table; });
 }
 
+/// [[name]] for each table of a list.
+std::string table_texts(const std::string& name, const Node& list) {
+  std::string text;
+  for (const Node& table : list.items) {
+    text += "\n[[" + name + "]]\n";
+    for (const Node& entry : table.items) text += line(entry.key, to_toml(entry));
+  }
+  return text;
+}
+
 std::string scene_text(const SceneText& scene) {
   std::string text = "\n[scene]\n" + line("name", to_toml(Value(scene.name)));
   for (const Node& entry : scene.table.items)
     if (!lists_tables(entry) && entry.key != "name") write_entries(entry, entry.key, text);
-  for (const Node& list : scene.table.items) {
-    if (!lists_tables(list)) continue;
-    for (const Node& table : list.items) {
-      text += "\n[[scene." + toml_key(list.key) + "]]\n";
-      for (const Node& entry : table.items) text += line(entry.key, to_toml(entry));
-    }
-  }
+  for (const Node& list : scene.table.items)
+    if (lists_tables(list)) text += table_texts("scene." + toml_key(list.key), list);
   return text;
 }
 
@@ -75,6 +80,7 @@ std::string moved(std::string_view kind, const Node& name, const fs::path& folde
   const fs::path file = find_input(kind, name.text, name.where);
   std::error_code none;
   if (fs::equivalent(folder / name.text, file, none)) return name.text;
+  if (!fs::exists(folder / name.text, none) && find_asset_file(kind, name.text) == file.string()) return name.text;
   return relative_path(file, folder);
 }
 
@@ -82,6 +88,11 @@ std::string moved(std::string_view kind, const Node& name, const fs::path& folde
 void move_files(std::string_view kind, Node& node, const fs::path& folder) {
   if (node.key == "file" && node.type == Node::Type::text) node.text = moved(kind, node, folder);
   for (Node& n : node.items) move_files(kind, n, folder);
+}
+
+/// The folder of the assets where the files of a list are.
+std::string_view kind_of_files(const std::string& key) {
+  return key == "particles" || key == "reference" ? std::string_view(key) : "meshes";
 }
 
 std::string key_text(const Key& key) {
@@ -111,12 +122,14 @@ std::string to_toml(const Study& study) {
   }
   for (const Key& key : study.keys) text += key_text(key);
   for (const Edit& edit : study.edits) text += to_toml(edit);
+  if (study.references) text += table_texts("reference", *study.references);
   return text;
 }
 
 Study for_folder(Study study, const std::string& folder) {
   for (Node& entry : study.scene.table.items)
-    if (lists_tables(entry)) move_files(entry.key == "particles" ? "particles" : "meshes", entry, fs::absolute(folder));
+    if (lists_tables(entry)) move_files(kind_of_files(entry.key), entry, fs::absolute(folder));
+  if (study.references) move_files("reference", *study.references, fs::absolute(folder));
   return study;
 }
 

@@ -75,7 +75,8 @@ double Expression::operator()(std::span<const double> values) const {
   if (std::isfinite(result)) return result;
   std::string at;
   for (const double v : values) at.append(at.empty() ? "" : ", ").append(std::to_string(v));
-  throw UserError("the formula \"" + text_ + "\" is not a finite number at (" + at + ")", where_);
+  throw UserError("the formula \"" + text_ + "\" is not a finite number" + (at.empty() ? "" : " at (" + at + ")"),
+                  where_);
 }
 
 } // namespace flipbook

@@ -5,6 +5,7 @@
 #include "sim/scene/read_body.h"
 #include "sim/scene/read_obstacle.h"
 #include "sim/scene/read_particle_source.h"
+#include "sim/scene/read_reference.h"
 #include "sim/scene/rows_in_domain.h"
 
 #include <algorithm>
@@ -164,7 +165,11 @@ Scene make_scene(const SceneText& text, std::span<const Assignment> changes, Mis
   TableReader reader(text.table, "the scene", mistakes);
   scene.name = reader.text("name", text.name);
   scene.summary = reader.text("summary", "");
-  scene.reference = reader.text("reference", "");
+  const Node* reference = text.table.find("reference"); // one sentence, or tables of values
+  if (reference && reference->type == Node::Type::list)
+    scene.references = read_references(*reference, *text.files, mistakes);
+  else
+    scene.reference = reader.text("reference", "");
   scene.duration = reader.number("duration", 1e-6, 1e6, 2.0);
   std::vector<Assignment> all = own_parameters(text.table, changes, scene, mistakes);
   all.insert(all.end(), changes.begin(), changes.end());

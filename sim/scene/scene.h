@@ -6,6 +6,7 @@
 #include "sim/boundary/obstacle.h"
 #include "sim/boundary/shape.h"
 #include "sim/files/particle_rows.h"
+#include "sim/frame/reference_curve.h"
 #include "sim/scene/settings.h"
 #include "sim/scene/toml_reader.h"
 #include "sim/scene/velocity.h"
@@ -36,13 +37,15 @@ struct ParticleSource {
 }
 
 struct Scene {
-  std::string name, summary, reference;
-  double duration = 2; ///< seconds worth watching
+  std::string name, summary;
+  std::string reference; ///< where the set-up comes from; a file that lists [[reference]] says so in their labels
+  double duration = 2;   ///< seconds worth watching
   Settings settings;
   std::vector<Body> fluid;
   std::vector<ParticleSource> particles;
   std::vector<Obstacle> obstacles;
-  std::vector<Assignment> view; ///< `view.*` suggestions of the scene, for the program; unknown to the solver
+  std::vector<ReferenceCurve> references; ///< of others, for the plots
+  std::vector<Assignment> view;           ///< `view.*` suggestions of the scene, for the program; unknown to the solver
 
   [[nodiscard]] Domain domain() const { return domain_of(settings); }
 };
