@@ -100,7 +100,7 @@ TEST_P(Typography, EndValuesKeepClearAtAnyTime) {
       std::vector<MadeCurve> curves = energies();
       curves.push_back({"kept", "", [](auto, double) { return 0.5; }});
       render::Frame frame = curves_frame(panes, curves, until);
-      for (const std::string& chosen : {"view.plots=kinetic,kept", "view.plots=kept"})
+      for (const char* chosen : {"view.plots=kinetic,kept", "view.plots=kept"})
         EXPECT_TRUE(clear(frame, view_with({chosen, "view.plot_height=0.4"}))) << until << ", " << panes << " panes";
     }
 }
