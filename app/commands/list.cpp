@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // flipbook list WHAT: every name that a study or an option may use.
 #include "app/commands/command.h"
+#include "app/encode/video.h"
 #include "app/figures/spec.h"
 #include "app/study/paths.h"
 #include "app/study/study.h"
@@ -140,8 +141,12 @@ void list_formats() {
     rows.push_back({"particles out", std::string(o.name), "--particle-format", std::string(o.help)});
   for (const std::string_view extension : mesh_extensions)
     rows.push_back({"meshes in", std::string(extension.substr(1)), "shape = \"mesh\"", "Closed triangle meshes"});
-  rows.push_back({"pictures out", "mp4", "-o X.mp4", "A video, encoded by ffmpeg"});
+  for (const VideoFormat& f : video_formats()) {
+    const std::string extension(f.extension);
+    rows.push_back({"pictures out", extension.substr(1), "-o X" + extension, std::string(f.help)});
+  }
   rows.push_back({"pictures out", "png", "-o FOLDER/", "A picture for each frame, which carries its study"});
+  rows.push_back({"subtitles", "vtt", "-o X.vtt", "What the keys of the timeline do (WebVTT)"});
   print(rows);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands/outputs.h"
 
+#include "app/encode/beside.h"
 #include "app/encode/png.h"
-#include "app/encode/video.h"
 #include "sim/frame/errors.h"
 
 #include <algorithm>
@@ -31,25 +31,51 @@ std::string file_kind(const std::string& name) {
 
 /// A comment that long would not fit on ffmpeg's command line.
 constexpr std::size_t longest_comment = 60'000;
+constexpr const char* subtitles_extension = ".vtt";
 
 } // namespace
+
+VideoSettings video_settings(const Resolved& r, const std::string& study) {
+  return {.width = r.output.size[0],
+          .height = r.output.size[1],
+          .fps = r.output.fps,
+          .crf = r.output.crf,
+          .animation_width = r.output.animation_width,
+          .animation_fps = r.output.animation_fps,
+          .title = r.title,
+          .comment = study.size() < longest_comment ? study : ""};
+}
+
+std::vector<Cue> subtitles_of(const Resolved& r) {
+  const double end = static_cast<double>(r.frames) / r.output.fps;
+  std::vector<Cue> cues;
+  for (const Timeline::Told& told : r.timeline.told()) {
+    const double from = told.t / r.scale;
+    if (from >= end) break;
+    if (!cues.empty()) cues.back().to = from;
+    cues.push_back({from, end, told.lines});
+  }
+  return cues;
+}
 
 std::vector<std::unique_ptr<Sink>> video_sinks(const std::vector<std::string>& names, const Resolved& r,
                                                const std::string& study) {
   std::vector<std::unique_ptr<Sink>> sinks;
+  const auto subtitles = [&](const fs::path& file) { sinks.push_back(text_file(file, to_vtt(subtitles_of(r)))); };
   for (const std::string& name : names) {
     const std::string kind = file_kind(name);
-    if (kind.empty())
+    const VideoFormat* format = find_video_format(kind);
+    if (kind.empty()) {
       sinks.push_back(png_sequence(name));
-    else if (kind == ".mp4")
-      sinks.push_back(video_file(name, {.width = r.output.size[0],
-                                        .height = r.output.size[1],
-                                        .fps = r.output.fps,
-                                        .crf = r.output.crf,
-                                        .title = r.title,
-                                        .comment = study.size() < longest_comment ? study : ""}));
-    else
-      refuse(name, ".mp4");
+    } else if (kind == subtitles_extension) {
+      subtitles(name);
+    } else if (format) {
+      sinks.push_back(video_file(*format, name, video_settings(r, study)));
+      if (r.output.poster >= 0) sinks.push_back(poster_file(beside(name, ".poster.png"), r.output.poster));
+      if (r.output.subtitles) subtitles(beside(name, subtitles_extension));
+    } else {
+      refuse(name, video_extensions(", ") + " or " + subtitles_extension);
+    }
   }
   return sinks;
 }

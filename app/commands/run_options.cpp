@@ -131,8 +131,9 @@ void RunOptions::describe(OptionVisitor& v, const std::string& outputs) {
   v.text("--duration", duration_, "S", "Seconds to simulate");
   describe_machine(v);
   v.texts("-o,--output", outputs_, {outputs, Argument::Kind::file},
-          (outputs.find(".mp4") != std::string::npos ? "A video" : "A single picture") +
-              std::string(", or a folder for PNG pictures; may be repeated (out/ if not given)"));
+          (outputs.find(".mp4") != std::string::npos ? "A video (" + video_extensions() + "), its subtitles (.vtt)"
+                                                     : "A single picture") +
+              ", or a folder for PNG pictures; may be repeated (out/ if not given)");
   if (outputs.find(".mp4") != std::string::npos) {
     std::vector<std::string> formats;
     for (const Option& o : particle_format_options()) formats.emplace_back(o.name);
@@ -193,14 +194,23 @@ SessionOptions RunOptions::session_options() const {
   return options;
 }
 
+/// What is asked for is known without simulating.
+bool RunOptions::only_subtitles(const Resolved& r) const {
+  const auto is_vtt = [](const std::string& name) { return name.ends_with(".vtt"); };
+  return !outputs_.empty() && std::all_of(outputs_.begin(), outputs_.end(), is_vtt) && particles_.empty() &&
+         ledger_.empty() && r.output.ledger.empty();
+}
+
 int RunOptions::make_video(Study study) const {
   const auto video = [&](const Resolved& r, const std::string& toml) {
     const bool tables_only = outputs_.empty() && !(particles_.empty() && ledger_.empty());
     return video_sinks(outputs_.empty() && !tables_only ? std::vector{"out/" + r.name + ".mp4"} : outputs_, r, toml);
   };
-  return run(
-      std::move(study), [](const Resolved& r) { return Schedule::video(r.output.fps, r.scale, r.frames); }, video,
-      true);
+  const auto schedule = [&](const Resolved& r) {
+    return only_subtitles(r) ? Schedule::stills(r.output.fps, r.scale, {})
+                             : Schedule::video(r.output.fps, r.scale, r.frames);
+  };
+  return run(std::move(study), schedule, video, true);
 }
 
 int RunOptions::make_stills(Study study, const std::vector<double>& times) const {

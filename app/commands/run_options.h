@@ -21,6 +21,9 @@ public:
   /// `outputs` says what -o may be.
   void describe(OptionVisitor& v, const std::string& outputs = "X.mp4|FOLDER/");
 
+  /// Those about the machine alone.
+  void describe_machine(OptionVisitor& v);
+
   /// Those of them that a live session has; -o is a folder.
   void describe_live(OptionVisitor& v);
   [[nodiscard]] std::string folder() const; ///< "out" if none was given
@@ -42,11 +45,11 @@ public:
 
 private:
   void describe_run(OptionVisitor& v);
-  void describe_machine(OptionVisitor& v);
 
   using MakeSchedule = std::function<Schedule(const Resolved&)>;
   using MakeSinks = std::function<std::vector<std::unique_ptr<Sink>>(const Resolved&, const std::string& toml)>;
   int run(Study study, const MakeSchedule& make_schedule, const MakeSinks& make_sinks, bool video) const;
+  [[nodiscard]] bool only_subtitles(const Resolved& r) const;
   [[nodiscard]] std::vector<Assignment> changes() const;
   [[nodiscard]] std::unique_ptr<LedgerFile> ledger_file(const Resolved& resolved) const;
   [[nodiscard]] OpenedSeries opened(const std::string& folder) const;

@@ -15,8 +15,24 @@ void OutputSettings::describe(ParameterVisitor& v) {
         duration);
     v.integer({.name = "frames", .help = "Number of frames; 0: as many as the duration needs", .min = 0, .max = 1e6},
               frames);
-    v.integer({.name = "crf", .help = "Quality of a video: 0 without loss, 18 good, 51 worst", .min = 0, .max = 51},
+    v.integer({.name = "crf", .help = "Quality of a video: 0 best (.mp4: without loss), 18 good, 51 worst", .min = 0, .max = 51},
               crf);
+    v.integer(
+        {.name = "animation_width", .help = "Greatest width of an animation (.gif, .webp)", .min = 16, .max = 7680},
+        animation_width);
+    v.real({.name = "animation_fps",
+            .help = "Most frames in a second of an animation (.gif, .webp); 100/n suits GIF",
+            .unit = "1/s",
+            .min = 1,
+            .max = 100},
+           animation_fps);
+    v.real({.name = "poster",
+            .help = "Simulated time whose picture is written beside a video as NAME.poster.png; negative: none",
+            .unit = "s",
+            .min = -1,
+            .max = 1e6},
+           poster);
+    v.flag({.name = "subtitles", .help = "Write what the keys do beside a video as NAME.vtt"}, subtitles);
     v.choice({.name = "particle_format", .help = "Format of the files of particles (--particles)"}, particle_format,
              particle_format_options());
     v.text({.name = "ledger", .help = "CSV file for the ledger of a video (render, compare); empty: none"}, ledger);

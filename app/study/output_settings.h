@@ -16,6 +16,10 @@ struct OutputSettings {
   double duration = 0;                ///< seconds simulated; 0: the scene's
   int frames = 0;                     ///< 0: as many as the duration needs
   int crf = 18;                       ///< quality of the video
+  int animation_width = 640;          ///< at most: of GIF and WebP
+  double animation_fps = 12.5;
+  double poster = -1;     ///< simulated time of the picture beside a video; negative: none
+  bool subtitles = false; ///< beside a video, from the timeline
   ParticleFormat particle_format = ParticleFormat::csv;
   std::string ledger; ///< where the ledger of a video goes, below the folder where the program runs; empty: nowhere
 

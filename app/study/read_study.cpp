@@ -68,11 +68,12 @@ void read_key(const Node& node, Study& study, Mistakes& mistakes) {
   key.over = table.number("over", 0, longest, 0.0);
   key.ease = read_ease(table);
   read_variant_of(table, key, mistakes);
+  key.label = table.text("label", "");
   if (!study.keys.empty() && key.t < study.keys.back().t && node.find("t"))
     mistakes.add("keys must be in the order of their times: t = " + to_toml(Value(key.t)) +
                      " comes after t = " + to_toml(Value(study.keys.back().t)),
                  node.find("t")->where);
-  const auto moves = parameters(node, {"t", "over", "ease", "variant"}, mistakes);
+  const auto moves = parameters(node, {"t", "over", "ease", "variant", "label"}, mistakes);
   if (moves.empty()) mistakes.add("a key needs a parameter, for example transfer.flip_ratio = 0.5", node.where);
   for (const Assignment& a : moves) {
     key.path = a.path;

@@ -34,6 +34,7 @@ struct Key {
   std::string path;
   Value value;
   Location where;
+  std::string label = {}; ///< what the subtitles say; empty: they tell the value
 };
 
 struct Study {

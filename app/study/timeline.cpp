@@ -25,6 +25,12 @@ double progress(Ease ease, double t, double over, double time) {
   return ease == Ease::linear ? s : smooth(s);
 }
 
+/// As people read it: without the quotes of TOML.
+std::string plain(const Value& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  return text ? *text : to_toml(value);
+}
+
 Value rounded(Value value, Kind kind) {
   if (kind == Kind::integer) value = std::round(std::get<double>(value));
   if (kind == Kind::integers)
@@ -73,7 +79,7 @@ Timeline::Timeline(std::span<const Key> keys, std::span<const KeyTarget> variant
                    bool lenient, Mistakes& mistakes) {
   Run run{variants, {}, view, view, lenient};
   for (const KeyTarget& v : variants) run.state.push_back(v.settings);
-  static const std::vector<std::string> own{"t", "over", "ease", "variant"};
+  static const std::vector<std::string> own{"t", "over", "ease", "variant", "label"};
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const Key& key = keys[i];
     run.index = i;
@@ -106,7 +112,9 @@ void Timeline::add_to_view(const Key& key, Run& run, Mistakes& mistakes) {
     return mistakes.add(r.message, key.where, r.nearest);
   if (const ViewMistake m = check_view(run.view); m.path == key.path)
     return mistakes.add(m.refusal.message, key.where, m.refusal.nearest);
-  extend(track(whole_view, before), key, before.value, now().value);
+  Track& t = track(whole_view, before);
+  extend(t, key, before.value, now().value);
+  tell(key, run, {{t.segments.back(), whole_view}});
   if (key.path == "view.colour") free_range(key, run);
 }
 
@@ -130,6 +138,7 @@ void Timeline::free_range(const Key& key, Run& run) {
 void Timeline::add(const Key& key, Run& run, Mistakes& mistakes) {
   const std::vector<std::size_t> chosen = run.named(key, mistakes);
   std::vector<std::size_t> moved;
+  std::vector<Move> moves;
   for (const std::size_t i : chosen) {
     const std::vector<Parameter> all = parameters_of(run.state[i]);
     const auto p = std::find_if(all.begin(), all.end(), [&](const Parameter& q) { return q.path == key.path; });
@@ -145,15 +154,41 @@ void Timeline::add(const Key& key, Run& run, Mistakes& mistakes) {
     const auto stored = std::find_if(now.begin(), now.end(), [&](const Parameter& q) { return q.path == key.path; });
     extend(t, key, p->value, stored->value);
     moved.push_back(i);
+    moves.push_back({t.segments.back(), static_cast<int>(i)});
   }
   if (moved.empty() && run.lenient) idle_.push_back(run.index);
   if (moved.empty() && !chosen.empty() && !run.lenient)
     mistakes.add("no variant uses " + key.path + " at t = " + to_toml(Value(key.t)), key.where);
+  tell(key, run, moves);
   const bool shared = moved.size() == run.state.size();
   if (shared)
     grips_.push_back({key.t, key.over, key.path, -1});
   else
     for (const std::size_t i : moved) grips_.push_back({key.t, key.over, key.path, static_cast<int>(i)});
+}
+
+/// "FLIP 0.97: flip_ratio 0.97 → 0", a line for each value that it comes from; without names where all move alike.
+void Timeline::tell(const Key& key, const Run& run, const std::vector<Move>& moves) {
+  if (moves.empty()) return;
+  if (told_.empty() || told_.back().t != key.t) told_.push_back({key.t, {}});
+  const auto say = [&lines = told_.back().lines](const std::string& line) {
+    if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
+  };
+  if (!key.label.empty()) return say(key.label); // once for all that its table moves
+  const std::string name = key.path.substr(key.path.rfind('.') + 1);
+  std::vector<std::pair<std::string, std::string>> said; // the values, and who makes this move
+  for (const Move& m : moves) {
+    const std::string values = plain(m.segment.from) + " \u2192 " + plain(m.segment.to);
+    const std::string who =
+        m.variant == whole_view ? "" : run.variants[static_cast<std::size_t>(m.variant)].names.front();
+    const auto same = std::find_if(said.begin(), said.end(), [&](auto& s) { return s.first == values; });
+    if (same == said.end())
+      said.emplace_back(values, who);
+    else
+      same->second += ", " + who;
+  }
+  const bool alike = said.size() == 1 && (moves.size() == run.variants.size() || moves.front().variant == whole_view);
+  for (const auto& [values, who] : said) say((alike ? "" : who + ": ") + name + " " + values);
 }
 
 Timeline::Track& Timeline::track(int variant, const Parameter& parameter) {

@@ -53,6 +53,14 @@ public:
   /// What the simulation must publish for all views that the keys make of `initial`.
   [[nodiscard]] FrameRequest request(const render::ViewSettings& initial) const;
 
+  /// What the keys of one moment say.
+  struct Told {
+    double t;                       ///< simulated seconds
+    std::vector<std::string> lines; ///< a key's label, or its parameter and values
+  };
+  /// In the order of time.
+  [[nodiscard]] const std::vector<Told>& told() const { return told_; }
+
   /// Indices of the keys that do nothing.
   [[nodiscard]] const std::vector<std::size_t>& idle() const { return idle_; }
 
@@ -77,16 +85,24 @@ private:
     int variant;
   };
 
+  /// What a key does to a variant, or to the view.
+  struct Move {
+    Segment segment;
+    int variant;
+  };
+
   struct Run; ///< the variants as the keys before the present one left them
   void add(const Key& key, Run& run, Mistakes& mistakes);
   void add_to_view(const Key& key, Run& run, Mistakes& mistakes);
   void free_range(const Key& key, Run& run);
+  void tell(const Key& key, const Run& run, const std::vector<Move>& moves);
   static void extend(Track& track, const Key& key, const Value& from, const Value& to);
   Track& track(int variant, const Parameter& parameter);
   [[nodiscard]] static Value at(const Track& track, double time);
 
   std::vector<Track> tracks_;
   std::vector<Grip> grips_;
+  std::vector<Told> told_;
   std::vector<std::size_t> idle_;
 };
 

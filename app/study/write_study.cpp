@@ -102,6 +102,7 @@ std::string key_text(const Key& key) {
   if (key.panes.size() == 1) text += line("variant", to_toml(Value(static_cast<double>(key.panes.front()))));
   if (key.panes.size() > 1)
     text += line("variant", to_toml(Value(std::vector<double>(key.panes.begin(), key.panes.end()))));
+  if (!key.label.empty()) text += line("label", to_toml(Value(key.label)));
   if (!key.variant.empty()) text += line("variant", to_toml(Value(key.variant)));
   return text + line(key.path, to_toml(key.value));
 }
