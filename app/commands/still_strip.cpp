@@ -12,7 +12,6 @@
 #include "app/validate/experiment.h"
 #include "app/validate/figure.h"
 #include "render/context/context.h"
-#include "render/views/colour_by.h"
 #include "sim/frame/errors.h"
 
 #include <algorithm>
@@ -83,17 +82,7 @@ std::vector<Variant> variants_of(const Study& study, const StripAxis& rows, cons
 render::ViewSettings view_of(const Resolved& resolved, const Shots& shots) {
   render::ViewSettings view = resolved.view;
   view.theme = render::Theme::light;
-  if (view.range[0] != view.range[1]) return view;
-  render::Frame all;
-  std::vector<std::vector<float>> values;
-  for (const auto& variant : shots.at)
-    for (const auto& s : variant) {
-      all.panes.push_back({"", s});
-      values.push_back(colour_values(*s, chosen_quantity(view)));
-    }
-  const render::ColourScale scale = shared_scale(all, view, values);
-  view.range = {scale.lo, scale.hi};
-  return view;
+  return with_shared_range(view, shots);
 }
 
 /// Puts variants and times where the rows and columns are.

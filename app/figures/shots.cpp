@@ -6,6 +6,7 @@
 #include "app/session/schedule.h"
 #include "app/study/paths.h"
 #include "app/study/titles.h"
+#include "render/views/colour_by.h"
 
 namespace flipbook::app {
 
@@ -37,6 +38,20 @@ Shots take_shots(const Resolved& study, const std::vector<double>& times, const 
     panes.push_back({study.variants[v].label, stepper[v].title(), stepper[v].parameters()});
   shots.titles = pane_titles(panes);
   return shots;
+}
+
+render::ViewSettings with_shared_range(render::ViewSettings view, const Shots& shots) {
+  if (view.range[0] != view.range[1]) return view;
+  render::Frame all;
+  std::vector<std::vector<float>> values;
+  for (const auto& variant : shots.at)
+    for (const auto& s : variant) {
+      all.panes.push_back({"", s});
+      values.push_back(colour_values(*s, chosen_quantity(view)));
+    }
+  const render::ColourScale scale = shared_scale(all, view, values);
+  view.range = {scale.lo, scale.hi};
+  return view;
 }
 
 } // namespace flipbook::app

@@ -5,6 +5,7 @@
 
 #include "app/study/resolve.h"
 #include "app/validate/case.h"
+#include "render/view_settings.h"
 
 namespace flipbook::app {
 
@@ -15,5 +16,8 @@ struct Shots {
 
 /// `times` ascend and differ. The study's timeline acts as in a video.
 [[nodiscard]] Shots take_shots(const Resolved& study, const std::vector<double>& times, const Lab& lab);
+
+/// The view with a range of colours that serves all of them; where it says one, that.
+[[nodiscard]] render::ViewSettings with_shared_range(render::ViewSettings view, const Shots& shots);
 
 } // namespace flipbook::app
