@@ -6,8 +6,6 @@
 #include "sim/frame/errors.h"
 #include "sim/scene/assets.h"
 
-#include <algorithm>
-
 namespace flipbook::app {
 
 namespace {
@@ -45,16 +43,6 @@ public:
   }
 
 private:
-  /// A number that no pane uses, being another scheme's, would change nothing: choose the scheme whose number it is.
-  static void choose_scheme(std::vector<Changes>& panes, const Study& study, const std::string& path) {
-    if (std::any_of(panes.begin(), panes.end(), [&](const Changes& pane) { return uses(study, pane, path); })) return;
-    for (const SchemeInfo& s : scheme_infos()) {
-      if (!s.first || s.first->path != path) continue;
-      for (Changes& pane : panes) pane.push_back({"transfer.scheme", std::string(s.name), {"--vary", 0, 0}});
-      return;
-    }
-  }
-
   std::string scene_, schemes_;
   std::vector<std::string> vary_;
   RunOptions options_;

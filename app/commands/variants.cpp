@@ -110,6 +110,15 @@ std::vector<Changes> multiply(const std::vector<Changes>& panes, const std::vect
   return all;
 }
 
+void choose_scheme(std::vector<Changes>& panes, const Study& study, const std::string& path) {
+  if (std::any_of(panes.begin(), panes.end(), [&](const Changes& pane) { return uses(study, pane, path); })) return;
+  for (const SchemeInfo& s : scheme_infos()) {
+    if (!s.first || s.first->path != path) continue;
+    for (Changes& pane : panes) pane.push_back({"transfer.scheme", std::string(s.name), {"--vary", 0, 0}});
+    return;
+  }
+}
+
 void refuse_overlap(const Study& study, const std::vector<Changes>& panes) {
   const auto from_options = [](const Assignment& a) { return a.where.file.starts_with("--"); };
   for (const Assignment& all : study.parameters)

@@ -27,6 +27,10 @@ using Changes = std::vector<Assignment>;
 [[nodiscard]] std::vector<Changes> multiply(const std::vector<Changes>& panes, const std::vector<Changes>& values,
                                             const Study& study);
 
+/// A number that no pane uses, being another scheme's, would change nothing: gives the panes the scheme whose number it
+/// is.
+void choose_scheme(std::vector<Changes>& panes, const Study& study, const std::string& path);
+
 /// Throws UserError where an option gives all panes a value of what other options made them differ in.
 void refuse_overlap(const Study& study, const std::vector<Changes>& panes);
 
