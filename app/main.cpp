@@ -45,6 +45,11 @@ const std::array table = std::to_array<CommandEntry>({
      "Examples:\n  flipbook figure --list\n  flipbook figure propositions --width 84mm\n"
      "  flipbook figure --all --contact-sheet figures.png",
      make_figure},
+    {"gallery", "Make a page of videos, figures and sliders that opens from a disk",
+     "Examples:\n  flipbook gallery out/gallery dam_break taylor_green --figures kernels\n"
+     "  flipbook gallery out/gallery --scrub dam_break:transfer.flip_ratio=0,0.5,0.9,1\n"
+     "  flipbook gallery out/gallery --from lecture.toml --inline",
+     make_gallery},
     {"verify", "Check the conservation properties of the transfers, one row for each",
      "Examples:\n  flipbook verify\n  flipbook verify --only angular --json", make_verify},
     {"validate", "Run flows with a known solution, and write a table, CSV files and a figure of each",

@@ -81,6 +81,7 @@ std::unique_ptr<Command> make_compare();
 std::unique_ptr<Command> make_serve();
 std::unique_ptr<Command> make_still();
 std::unique_ptr<Command> make_figure();
+std::unique_ptr<Command> make_gallery();
 std::unique_ptr<Command> make_verify();
 std::unique_ptr<Command> make_validate();
 std::unique_ptr<Command> make_list();

@@ -1,5 +1,6 @@
 # Writes the page's files in the list FILES into the C++ source OUTPUT. Run as a script:
-#   cmake -DFILES=a.html,b.css -DOUTPUT=page_files.cpp -P embed.cmake
+#   cmake -DFILES=a.html,b.css -DHEADER=app/serve/page.h -DNAMESPACE=flipbook::app::serve -DOUTPUT=page_files.cpp -P embed.cmake
+# The header declares PageFile{name, text} and page_files().
 string(REPLACE "," ";" FILES "${FILES}")
 set(entries "")
 set(count 0)
@@ -15,11 +16,11 @@ foreach(file IN LISTS FILES)
   math(EXPR count "${count} + 1")
 endforeach()
 file(WRITE "${OUTPUT}" "// Made by app/serve/embed.cmake.
-#include \"app/serve/page.h\"
+#include \"${HEADER}\"
 
 #include <array>
 
-namespace flipbook::app::serve {
+namespace ${NAMESPACE} {
 namespace {
 
 ${data}
@@ -31,5 +32,5 @@ ${entries}  }};
   return all;
 }
 
-} // namespace flipbook::app::serve
+} // namespace ${NAMESPACE}
 ")

@@ -70,7 +70,7 @@ export class Browser {
   }
 
   /// A new tab of its own context, as another person's browser would be, with its page open.
-  async open(url, { width = 1280, height = 800, touch = false, reduced = false } = {}) {
+  async open(url, { width = 1280, height = 800, touch = false, reduced = false, dark = false } = {}) {
     const { browserContextId } = await this.send("Target.createBrowserContext");
     const { targetId } = await this.send("Target.createTarget", { url: "about:blank", browserContextId });
     const { sessionId } = await this.send("Target.attachToTarget", { targetId, flatten: true });
@@ -79,7 +79,7 @@ export class Browser {
       () => this.send("Target.closeTarget", { targetId }),
     );
     this.#tabs.set(sessionId, tab);
-    await tab.prepare({ width, height, touch, reduced });
+    await tab.prepare({ width, height, touch, reduced, dark });
     await tab.go(url);
     return tab;
   }

@@ -9,6 +9,7 @@ const keyCodes = {
   Enter: ["Enter", 13],
   Tab: ["Tab", 9],
   Escape: ["Escape", 27],
+  End: ["End", 35],
   Home: ["Home", 36],
   ArrowLeft: ["ArrowLeft", 37],
   ArrowUp: ["ArrowUp", 38],
@@ -21,6 +22,7 @@ const texts = { Space: " ", Enter: "\r" };
 export class Tab {
   #send;
   #close;
+  requests = []; // addresses that it asked for
   errors = []; // exceptions of the page, and what it wrote to the console as an error
 
   constructor(send, close) {
@@ -28,7 +30,7 @@ export class Tab {
     this.#close = close;
   }
 
-  async prepare({ width, height, touch, reduced }) {
+  async prepare({ width, height, touch, reduced, dark }) {
     await Promise.all([
       this.#send("Page.enable"),
       this.#send("Runtime.enable"),
@@ -37,11 +39,14 @@ export class Tab {
     ]);
     await this.resize(width, height, touch);
     if (touch) await this.#send("Emulation.setTouchEmulationEnabled", { enabled: true, maxTouchPoints: 5 });
-    if (reduced)
-      await this.#send("Emulation.setEmulatedMedia", { features: [{ name: "prefers-reduced-motion", value: "reduce" }] });
+    const features = [];
+    if (reduced) features.push({ name: "prefers-reduced-motion", value: "reduce" });
+    if (dark) features.push({ name: "prefers-color-scheme", value: "dark" });
+    if (features.length) await this.#send("Emulation.setEmulatedMedia", { features });
   }
 
   happened(method, params) {
+    if (method === "Network.requestWillBeSent") this.requests.push(params.request.url);
     if (method === "Runtime.exceptionThrown")
       this.errors.push(params.exceptionDetails.exception?.description ?? params.exceptionDetails.text);
     if (method === "Log.entryAdded" && params.entry.level === "error")
@@ -110,6 +115,15 @@ export class Tab {
 
   async screenshot(file) {
     const { data } = await this.#send("Page.captureScreenshot", { format: "png" });
+    writeFileSync(file, Buffer.from(data, "base64"));
+  }
+
+  /// The whole page, however long.
+  async screenshotOfAll(file) {
+    const { cssContentSize } = await this.#send("Page.getLayoutMetrics");
+    const { width, height } = cssContentSize;
+    const clip = { x: 0, y: 0, width, height, scale: 1 };
+    const { data } = await this.#send("Page.captureScreenshot", { format: "png", clip, captureBeyondViewport: true });
     writeFileSync(file, Buffer.from(data, "base64"));
   }
 
