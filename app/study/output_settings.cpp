@@ -15,7 +15,10 @@ void OutputSettings::describe(ParameterVisitor& v) {
         duration);
     v.integer({.name = "frames", .help = "Number of frames; 0: as many as the duration needs", .min = 0, .max = 1e6},
               frames);
-    v.integer({.name = "crf", .help = "Quality of a video: 0 best (.mp4: without loss), 18 good, 51 worst", .min = 0, .max = 51},
+    v.integer({.name = "crf",
+               .help = "Quality of a video: 0 best (.mp4: without loss), 18 good, 51 worst",
+               .min = 0,
+               .max = 51},
               crf);
     v.integer(
         {.name = "animation_width", .help = "Greatest width of an animation (.gif, .webp)", .min = 16, .max = 7680},

@@ -74,7 +74,14 @@ void read_key(const Node& node, Study& study, Mistakes& mistakes) {
                      " comes after t = " + to_toml(Value(study.keys.back().t)),
                  node.find("t")->where);
   const auto moves = parameters(node, {"t", "over", "ease", "variant", "label"}, mistakes);
-  if (moves.empty()) mistakes.add("a key needs a parameter, for example transfer.flip_ratio = 0.5", node.where);
+  if (moves.empty() && key.label.empty())
+    mistakes.add("a key needs a parameter, for example transfer.flip_ratio = 0.5, or a label", node.where);
+  if (moves.empty() && node.find("variant"))
+    mistakes.add("a key that only has a label says it for all: it cannot name a variant", node.find("variant")->where);
+  if (moves.empty()) {
+    key.where = node.where;
+    study.keys.push_back(key);
+  }
   for (const Assignment& a : moves) {
     key.path = a.path;
     key.value = a.value;

@@ -253,8 +253,8 @@ std::vector<std::string> late_keys(const Study& study, const Resolved& resolved)
   const auto late = std::find_if(study.keys.begin(), study.keys.end(), [&](const Key& k) { return k.t > last; });
   if (late == study.keys.end()) return {};
   return {counted(static_cast<std::size_t>(study.keys.end() - late), "key comes", "keys come") +
-          " after the end of the run at " + to_toml(Value(resolved.duration)) + " s, the first on " + late->path +
-          " at t = " + to_toml(Value(late->t)) + " s"};
+          " after the end of the run at " + to_toml(Value(resolved.duration)) + " s, the first on " +
+          (late->path.empty() ? "\"" + late->label + "\"" : late->path) + " at t = " + to_toml(Value(late->t)) + " s"};
 }
 
 } // namespace flipbook::app

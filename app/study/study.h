@@ -31,10 +31,10 @@ struct Key {
   Ease ease = Ease::smooth;
   std::string variant;    ///< a label, title or scheme name
   std::vector<int> panes; ///< instead of a name: numbers from 1; neither: every variant that has the parameter
-  std::string path;
+  std::string path;       ///< empty: it only has a label
   Value value;
   Location where;
-  std::string label = {}; ///< what the subtitles say; empty: they tell the value
+  std::string label = {}; ///< what picture and subtitles say; empty: the subtitles tell the value
 };
 
 struct Study {

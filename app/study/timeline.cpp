@@ -83,7 +83,9 @@ Timeline::Timeline(std::span<const Key> keys, std::span<const KeyTarget> variant
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const Key& key = keys[i];
     run.index = i;
-    if (const Refusal r = check_path(key.path, own); !r.message.empty())
+    if (key.path.empty())
+      say(key.t, key.label, true);
+    else if (const Refusal r = check_path(key.path, own); !r.message.empty())
       mistakes.add(r.message, key.where, r.nearest);
     else if (is_output(key.path))
       mistakes.add(key.path + " holds for the whole run: a key cannot change it", key.where);
@@ -170,11 +172,7 @@ void Timeline::add(const Key& key, Run& run, Mistakes& mistakes) {
 /// "FLIP 0.97: flip_ratio 0.97 → 0", a line for each value that it comes from; without names where all move alike.
 void Timeline::tell(const Key& key, const Run& run, const std::vector<Move>& moves) {
   if (moves.empty()) return;
-  if (told_.empty() || told_.back().t != key.t) told_.push_back({key.t, {}});
-  const auto say = [&lines = told_.back().lines](const std::string& line) {
-    if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
-  };
-  if (!key.label.empty()) return say(key.label); // once for all that its table moves
+  if (!key.label.empty()) return say(key.t, key.label, true);
   const std::string name = key.path.substr(key.path.rfind('.') + 1);
   std::vector<std::pair<std::string, std::string>> said; // the values, and who makes this move
   for (const Move& m : moves) {
@@ -188,7 +186,27 @@ void Timeline::tell(const Key& key, const Run& run, const std::vector<Move>& mov
       same->second += ", " + who;
   }
   const bool alike = said.size() == 1 && (moves.size() == run.variants.size() || moves.front().variant == whole_view);
-  for (const auto& [values, who] : said) say((alike ? "" : who + ": ") + name + " " + values);
+  for (const auto& [values, who] : said) say(key.t, (alike ? "" : who + ": ") + name + " " + values, false);
+}
+
+/// Once, where several parameters of a key move.
+void Timeline::say(double t, const std::string& line, bool label) {
+  if (told_.empty() || told_.back().t != t) told_.push_back({t, {}, {}});
+  Told& now = told_.back();
+  if (std::find(now.lines.begin(), now.lines.end(), line) != now.lines.end()) return;
+  now.lines.push_back(line);
+  if (label) now.label = line;
+}
+
+std::string Timeline::label(double time) const {
+  std::string label;
+  for (const Told& told : told_)
+    if (told.t <= time && !told.label.empty()) label = told.label;
+  return label;
+}
+
+bool Timeline::has_labels() const {
+  return std::any_of(told_.begin(), told_.end(), [](const Told& t) { return !t.label.empty(); });
 }
 
 Timeline::Track& Timeline::track(int variant, const Parameter& parameter) {

@@ -57,9 +57,13 @@ public:
   struct Told {
     double t;                       ///< simulated seconds
     std::vector<std::string> lines; ///< a key's label, or its parameter and values
+    std::string label;              ///< the last of those that are labels
   };
   /// In the order of time.
   [[nodiscard]] const std::vector<Told>& told() const { return told_; }
+  /// The label that holds at a time: of the last key that has one; empty before the first.
+  [[nodiscard]] std::string label(double time) const;
+  [[nodiscard]] bool has_labels() const;
 
   /// Indices of the keys that do nothing.
   [[nodiscard]] const std::vector<std::size_t>& idle() const { return idle_; }
@@ -96,6 +100,7 @@ private:
   void add_to_view(const Key& key, Run& run, Mistakes& mistakes);
   void free_range(const Key& key, Run& run);
   void tell(const Key& key, const Run& run, const std::vector<Move>& moves);
+  void say(double t, const std::string& line, bool label);
   static void extend(Track& track, const Key& key, const Value& from, const Value& to);
   Track& track(int variant, const Parameter& parameter);
   [[nodiscard]] static Value at(const Track& track, double time);

@@ -104,7 +104,7 @@ std::string key_text(const Key& key) {
     text += line("variant", to_toml(Value(std::vector<double>(key.panes.begin(), key.panes.end()))));
   if (!key.label.empty()) text += line("label", to_toml(Value(key.label)));
   if (!key.variant.empty()) text += line("variant", to_toml(Value(key.variant)));
-  return text + line(key.path, to_toml(key.value));
+  return key.path.empty() ? text : text + line(key.path, to_toml(key.value));
 }
 
 } // namespace

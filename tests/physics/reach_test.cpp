@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace flipbook::test {
@@ -17,6 +18,10 @@ double end_of_liquid(const LatticeData& phi, int stride, int count) {
   for (int i = count - 1; i > 0; --i)
     if (at(i - 1) < 0 && at(i) >= 0) return i - 1 + at(i - 1) / (at(i - 1) - at(i));
   return count;
+}
+
+void advance(Simulation& sim, double until) {
+  while (sim.time() < until - 1e-12) sim.step(std::min(sim.max_dt(), until - sim.time()));
 }
 
 double last(const Snapshot& s, const std::string& name) {

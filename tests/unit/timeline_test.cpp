@@ -46,6 +46,33 @@ TEST(Timeline, KnowsTheOtherEases) {
   EXPECT_DOUBLE_EQ(ratio(at_once, 0, 0.5), 0.4);
 }
 
+TEST(Timeline, LabelsHoldUntilTheNextOne) {
+  const std::string keys = "[[key]]\nt = 0.5\nlabel = \"first\"\n"
+                           "[[key]]\nt = 0.75\ntransfer.flip_ratio = 0.4\n"
+                           "[[key]]\nt = 1\nlabel = \"second\"\ntransfer.flip_ratio = 0.5\ntransfer.affine = 0.5\n";
+  const Resolved r = with_keys(keys);
+  EXPECT_EQ(r.timeline.label(0.4999), "");
+  EXPECT_EQ(r.timeline.label(0.5), "first");
+  EXPECT_EQ(r.timeline.label(0.9), "first") << "a key without a label does not end it";
+  EXPECT_EQ(r.timeline.label(1), "second");
+  EXPECT_EQ(r.timeline.label(9), "second");
+  EXPECT_TRUE(r.timeline.has_labels());
+  EXPECT_DOUBLE_EQ(ratio(r, 0, 1), 0.5);
+  EXPECT_FALSE(with_keys("[[key]]\nt = 0.75\ntransfer.flip_ratio = 0.4\n").timeline.has_labels());
+}
+
+TEST(Timeline, AKeyMayOnlyHaveALabel) {
+  const Study study =
+      parse_study("output.fps = 10\n" + scene + panes + "[[key]]\nt = 0.5\nlabel = \"a \\\"b\\\"\"\n", "s.toml");
+  const Study again = parse_study(to_toml(study), "s.toml");
+  ASSERT_EQ(again.keys.size(), 1U);
+  EXPECT_EQ(again.keys[0].label, "a \"b\"");
+  EXPECT_EQ(resolve(again).timeline.label(1), "a \"b\"");
+  EXPECT_TRUE(resolve(again).commands().empty());
+  EXPECT_THROW((void)with_keys("[[key]]\nt = 0.5\n"), UserError);
+  EXPECT_THROW((void)with_keys("[[key]]\nt = 0.5\nvariant = 1\nlabel = \"a\"\n"), UserError);
+}
+
 TEST(Timeline, ANewKeyTakesOverInMidMove) {
   const Resolved r = with_keys("[[key]]\nt = 0\nover = 1\nease = \"linear\"\ntransfer.flip_ratio = 0\n"
                                "[[key]]\nt = 0.5\nover = 1\nease = \"linear\"\ntransfer.flip_ratio = 1\n");
