@@ -218,8 +218,9 @@ private:
     if (total(0, n) <= area.w) {
       add_line(0, n, 0);
     } else {
-      const std::size_t half = total(0, panes) <= area.w ? panes : (panes + 1) / 2;
-      const float cell = half == panes ? 0 : area.w / static_cast<float>(half);
+      const bool fit = total(0, panes) <= area.w;
+      const std::size_t half = fit ? panes : (panes + 1) / 2;
+      const float cell = fit ? 0 : area.w / static_cast<float>(half);
       if (panes > 0) add_line(0, half, cell);
       if (half < panes) add_line(half, panes, cell);
       if (panes < n) add_line(panes, n, total(panes, n) <= area.w ? 0 : area.w / static_cast<float>(r_.references));

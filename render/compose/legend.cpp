@@ -10,8 +10,12 @@
 namespace flipbook::render {
 namespace {
 
-// In points: the sample of a line holds a whole period of every pattern.
-constexpr float sample = 25, indent = 31, space = 21;
+/// In points: the sample of a line holds a whole period of every pattern, and just so where texts need the room.
+struct Sample {
+  float length, indent;
+};
+constexpr Sample usual{25, 31}, brief{18, 22};
+constexpr float space = 21; // behind a text
 
 } // namespace
 
@@ -26,7 +30,7 @@ Legend::Legend(const Frame& frame, std::span<const Plot> plots) {
 std::vector<float> Legend::widths(const gui::Fonts& fonts) const {
   std::vector<float> all;
   const auto add = [&](const std::string& text) {
-    all.push_back(std::ceil(fonts.width(gui::Type::small, text)) + std::round((indent + space) * fonts.scale()));
+    all.push_back(std::ceil(fonts.width(gui::Type::small, text)) + std::round((usual.indent + space) * fonts.scale()));
   };
   for (const std::string& title : panes_) add(title);
   for (const Reference& r : references_) add(r.label);
@@ -35,7 +39,11 @@ std::vector<float> Legend::widths(const gui::Fonts& fonts) const {
 
 void Legend::draw(gui::Ink& ink, std::span<const Rect> boxes, const Palette& palette) const {
   if (boxes.empty()) return;
-  const float aside = std::round(ink.pt(indent)), length = std::round(ink.pt(sample));
+  bool fit = true;
+  for (std::size_t i = 0; i < panes_.size(); ++i)
+    fit = fit && ink.fonts().width(gui::Type::small, panes_[i]) <= boxes[i].w - std::round(ink.pt(usual.indent));
+  const Sample& sample = fit ? usual : brief;
+  const float aside = std::round(ink.pt(sample.indent)), length = std::round(ink.pt(sample.length));
   std::vector<float> rooms;
   for (const Rect& r : boxes.first(panes_.size())) rooms.push_back(r.w - aside);
   const FittedTitles titles = fit_titles(ink.fonts(), gui::Type::small, panes_, rooms);

@@ -15,7 +15,7 @@ const std::array<std::vector<float>, 6>& patterns() {
   static const std::array<std::vector<float>, 6> all{{
       {},                                // whole
       {6, 3},                            // dashed
-      {1.8F, 2.4F},                      // dotted
+      {2.5F, 2.3F},                      // dotted
       {7, 2.4F, 1.8F, 2.4F},             // dash, dot
       {12, 3},                           // long dashes
       {7, 2.4F, 1.8F, 2.4F, 1.8F, 2.4F}, // dash, dot, dot

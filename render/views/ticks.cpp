@@ -87,13 +87,18 @@ std::string tick_label(double x, double step) {
   return typeset(text.data());
 }
 
-std::string value_label(double x, double step) {
-  if (std::max(std::abs(x), step) >= 1e5 || step < 1e-4) return number(x, 3);
+std::string value_label(double x, double range) {
+  if (std::max(std::abs(x), range) >= 1e6 || !(range >= 1e-3)) return number(x, 3);
   std::array<char, 40> text{};
-  const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+  const int decimals = std::max(0, 2 - static_cast<int>(std::floor(std::log10(range) + 1e-9)));
   const double unit = std::pow(10.0, -decimals);
   std::snprintf(text.data(), text.size(), "%.*f", decimals, std::abs(x) < unit / 2 ? 0 : x); // not "−0.0"
   return typeset(text.data());
+}
+
+std::string three_digits(double x) {
+  const double size = std::abs(x);
+  return size >= 1e-3 && size < 1e5 ? value_label(x, std::pow(10, std::floor(std::log10(size)))) : number(x, 3);
 }
 
 std::string power_of_ten(int exponent) {

@@ -27,8 +27,10 @@ struct DecadeTicks {
 [[nodiscard]] double round_up(double x);
 /// With as many decimals as `step` needs, and a true minus sign.
 [[nodiscard]] std::string tick_label(double x, double step);
-/// With one digit more than a tick of such a step: what a curve's last value is written as.
-[[nodiscard]] std::string value_label(double x, double step);
+/// As a curve's last value is written beside an axis of this range: to a hundredth or a thousandth of it.
+[[nodiscard]] std::string value_label(double x, double range);
+/// With three significant digits, and none of an exponent from 0.001 to 100 000.
+[[nodiscard]] std::string three_digits(double x);
 /// 10⁻³ for -3.
 [[nodiscard]] std::string power_of_ten(int exponent);
 /// At most `digits` significant digits, no trailing zeros, thin exponents: "0.97", "1.2e−6".

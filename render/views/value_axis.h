@@ -36,13 +36,13 @@ public:
   [[nodiscard]] std::string value_text(double value) const;
 
 private:
-  void linear(const gui::Fonts& fonts, ValueRange range, int most);
+  void linear(const gui::Fonts& fonts, ValueRange range, int most, float height);
   void decades(const gui::Fonts& fonts, ValueRange range, int most, float height);
 
   bool logarithmic_;
   ValueRange ends_;
   Prefix prefix_;
-  double step_ = 1; ///< of linear ticks
+  double range_ = 1; ///< from the first linear tick to the last, as they are written
   std::vector<ValueTick> ticks_;
   float label_width_ = 0, value_width_ = 0;
 };

@@ -23,7 +23,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-class Plots : public testing::Test {
+class PlotPages : public testing::Test {
 protected:
   /// Every text of the picture.
   std::vector<std::string> texts(const Frame& frame, const std::vector<std::string>& changes) {
@@ -43,7 +43,7 @@ std::vector<std::string> labels_of(const ValueAxis& axis) {
   return all;
 }
 
-TEST_F(Plots, LogarithmicAxesGoFromDecadeToDecade) {
+TEST_F(PlotPages, LogarithmicAxesGoFromDecadeToDecade) {
   const ValueAxis axis(fonts_, {0.003, 4}, true, "J/m", 150);
   EXPECT_THAT(labels_of(axis), ElementsAre("0.001", "0.01", "0.1", "1", "10"));
   EXPECT_EQ(axis.ticks().size(), 4U * 9 + 1) << "and the multiples between them";
@@ -56,7 +56,7 @@ TEST_F(Plots, LogarithmicAxesGoFromDecadeToDecade) {
   EXPECT_EQ(axis.prefix().factor, 1) << "decades need no letters";
 }
 
-TEST_F(Plots, LogarithmicAxesLabelEverySoManyDecades) {
+TEST_F(PlotPages, LogarithmicAxesLabelEverySoManyDecades) {
   const ValueAxis axis(fonts_, {2e-13, 0.5}, true, "", 80);
   EXPECT_THAT(labels_of(axis), ElementsAre("10⁻¹²", "10⁻⁸", "10⁻⁴", "1"));
   EXPECT_EQ(axis.ticks().size(), 14U) << "a tick for every decade";
@@ -64,12 +64,12 @@ TEST_F(Plots, LogarithmicAxesLabelEverySoManyDecades) {
   EXPECT_NEAR(endless.ticks().front().value, 1e-15, 1e-20) << "rounding noise does not stretch the axis without end";
 }
 
-TEST_F(Plots, LogarithmicAxesOfOneDecadeLabelTwoAndFive) {
+TEST_F(PlotPages, LogarithmicAxesOfOneDecadeLabelTwoAndFive) {
   EXPECT_THAT(labels_of(ValueAxis(fonts_, {12, 80}, true, "", 150)), ElementsAre("10", "20", "50", "100"));
   EXPECT_THAT(labels_of(ValueAxis(fonts_, {5, 5}, true, "", 150)), ElementsAre("1", "2", "5", "10"));
 }
 
-TEST_F(Plots, LinearAxesAreAsBefore) {
+TEST_F(PlotPages, LinearAxesAreAsBefore) {
   const ValueAxis axis(fonts_, {0, 1270}, false, "J/m", 90);
   EXPECT_THAT(labels_of(axis), ElementsAre("0", "0.5", "1.0", "1.5"));
   EXPECT_EQ(axis.prefix().letter, "k");
@@ -78,7 +78,7 @@ TEST_F(Plots, LinearAxesAreAsBefore) {
 }
 
 /// What is missing is said above the plot, in every width.
-TEST_F(Plots, SayWhichValuesALogarithmicAxisLeavesOut) {
+TEST_F(PlotPages, SayWhichValuesALogarithmicAxisLeavesOut) {
   const Frame f = curves_frame(2, energies());
   const std::vector<std::string> view{"view.plots=transfer_loss,total"};
   std::vector<std::string> logs = view;
@@ -93,7 +93,7 @@ TEST_F(Plots, SayWhichValuesALogarithmicAxisLeavesOut) {
   EXPECT_TRUE(said);
 }
 
-TEST_F(Plots, OfAllStagesAreLogarithmicTogether) {
+TEST_F(PlotPages, OfAllStagesAreLogarithmicTogether) {
   PlotSettings s;
   s.log = {"lost", "total"};
   EXPECT_TRUE(s.is_logarithmic("lost_p2g"));
@@ -102,7 +102,7 @@ TEST_F(Plots, OfAllStagesAreLogarithmicTogether) {
 }
 
 /// kinetic 0..1300, total 1100..1300 J/m: apart, the second axis begins where its values are.
-TEST_F(Plots, OfOneUnitShareTheirAxisWhereAsked) {
+TEST_F(PlotPages, OfOneUnitShareTheirAxisWhereAsked) {
   std::vector<MadeCurve> curves = energies();
   curves.push_back({"divergence", "", [](auto, double) { return 1e-7; }});
   const Frame f = curves_frame(2, curves);
@@ -115,7 +115,7 @@ TEST_F(Plots, OfOneUnitShareTheirAxisWhereAsked) {
   EXPECT_EQ(shared, apart + 1);
 }
 
-TEST_F(Plots, ShowReferencesOfTheirOwnQuantityOnly) {
+TEST_F(PlotPages, ShowReferencesOfTheirOwnQuantityOnly) {
   Frame f = curves_frame(1, energies());
   add_references(f, "total");
   add_references(f, "front"); // which no pane recorded
@@ -131,7 +131,7 @@ TEST_F(Plots, ShowReferencesOfTheirOwnQuantityOnly) {
 }
 
 /// One source in two plots is one entry of the legend and one marker.
-TEST_F(Plots, NameASourceOnce) {
+TEST_F(PlotPages, NameASourceOnce) {
   Frame f = curves_frame(2, energies());
   add_references(f, "total");
   add_references(f, "kinetic");
@@ -142,7 +142,7 @@ TEST_F(Plots, NameASourceOnce) {
 
 // === Numbers at the ends
 
-TEST_F(Plots, WriteTheLastValuesWhereThereIsRoom) {
+TEST_F(PlotPages, WriteTheLastValuesWhereThereIsRoom) {
   const Frame f =
       curves_frame(2, {{"kinetic", "J/m", [](auto i, double t) { return (i == 0 ? 632 : 390) * t / 0.55; }}});
   EXPECT_THAT(texts(f, {"view.plots=kinetic"}), Contains("632"));
@@ -150,7 +150,7 @@ TEST_F(Plots, WriteTheLastValuesWhereThereIsRoom) {
   EXPECT_THAT(texts(f, {"view.plots=kinetic", "view.end_values=false"}), Not(Contains("632")));
 }
 
-TEST_F(Plots, WriteNoValueWhereACurveHasEndedInAGap) {
+TEST_F(PlotPages, WriteNoValueWhereACurveHasEndedInAGap) {
   const Frame f = curves_frame(1, {{"front", "m", [](auto, double t) { return t < 0.4 ? 0.25 + t : NAN; }}});
   const auto all = texts(f, {"view.plots=front"});
   EXPECT_THAT(all, Not(Contains(HasSubstr("nan"))));

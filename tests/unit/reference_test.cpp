@@ -78,7 +78,7 @@ TEST(Reference, IsScaledToTheUnitsOfTheRun) {
   EXPECT_EQ(all[0].plot, "front");
   EXPECT_EQ(all[0].label, "Martin & Moyce");
   EXPECT_EQ(all[0].style, ReferenceCurve::Style::line);
-  ASSERT_EQ(all[0].t.size(), 14U);
+  ASSERT_EQ(all[0].t.size(), 15U);
   EXPECT_THAT(all[0].t[0], DoubleEq(0.5 + 0.41 * std::sqrt(0.4 / 19.62)));
   EXPECT_THAT(all[0].y[0], DoubleEq(0.4 * 1.11));
 }
@@ -121,8 +121,8 @@ TEST(Reference, SaysWhatIsWrongAndWhere) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {"reference = \"Martin\"\n", "s.toml:2:1: references are written as [[reference]]"},
       {"reference = [1]\n", "s.toml:2:1: references are written as [[reference]]"},
-      {"[[reference]]\nfile = \"martin_moyce_1952_front.csv\"\n", "s.toml:2:3: a reference needs \"plot\""},
-      {"[[reference]]\nplot = \"front\"\n", "s.toml:2:3: a reference needs \"file\""},
+      {"[[reference]]\nfile = \"martin_moyce_1952_front.csv\"\n", "s.toml:2:1: a reference needs \"plot\""},
+      {"[[reference]]\nplot = \"front\"\n", "s.toml:2:1: a reference needs \"file\""},
       {front + "plto = 1\n", "s.toml:5:1: unknown key \"plto\" in a reference; did you mean \"plot\"?"},
       {"[[reference]]\nplot = \"fornt\"\nfile = \"martin_moyce_1952_front.csv\"\n",
        "s.toml:3:1: no curve is called \"fornt\"; did you mean \"front\"?"},
