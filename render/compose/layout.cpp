@@ -200,7 +200,19 @@ private:
     }
   }
 
-  /// One line if all fit; else those of the panes in one or two lines, and below them those of the references. Where
+  /// In how many lines the panes' entries fit in equal cells: two, or more where that leaves enough for the plots.
+  [[nodiscard]] std::size_t pane_lines(const Rect& area, std::size_t panes) const {
+    float widest = 0;
+    for (std::size_t i = 0; i < panes; ++i) widest = std::max(widest, r_.legend[i]);
+    const auto each = [&](std::size_t lines) { return static_cast<float>((panes + lines - 1) / lines); };
+    std::size_t lines = 2;
+    while (lines < panes && widest > area.w / each(lines) &&
+           static_cast<float>(lines + 1) * pt(legend_height) < 0.25F * area.h)
+      ++lines;
+    return lines;
+  }
+
+  /// One line if all fit; else those of the panes in one or more lines, and below them those of the references. Where
   /// even that is narrow the entries of a line get equal shares of it.
   void place_legend(Rect& area) {
     const std::size_t n = r_.legend.size(), panes = n - r_.references;
@@ -219,10 +231,9 @@ private:
       add_line(0, n, 0);
     } else {
       const bool fit = total(0, panes) <= area.w;
-      const std::size_t half = fit ? panes : (panes + 1) / 2;
-      const float cell = fit ? 0 : area.w / static_cast<float>(half);
-      if (panes > 0) add_line(0, half, cell);
-      if (half < panes) add_line(half, panes, cell);
+      const std::size_t lines = fit ? 1 : pane_lines(area, panes), each = (panes + lines - 1) / lines;
+      for (std::size_t first = 0; first < panes; first += each)
+        add_line(first, std::min(first + each, panes), fit ? 0 : area.w / static_cast<float>(each));
       if (panes < n) add_line(panes, n, total(panes, n) <= area.w ? 0 : area.w / static_cast<float>(r_.references));
     }
     const float used = y + pt(4) - area.y;

@@ -88,9 +88,10 @@ std::string tick_label(double x, double step) {
 }
 
 std::string value_label(double x, double range) {
-  if (std::max(std::abs(x), range) >= 1e6 || !(range >= 1e-3)) return number(x, 3);
+  const double size = std::max(std::abs(x), range);
+  if (!(range > 0) || size < 1e-3 || size >= 1e6) return number(x, 3);
   std::array<char, 40> text{};
-  const int decimals = std::max(0, 2 - static_cast<int>(std::floor(std::log10(range) + 1e-9)));
+  const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(range) + 1e-9)), 0, 9);
   const double unit = std::pow(10.0, -decimals);
   std::snprintf(text.data(), text.size(), "%.*f", decimals, std::abs(x) < unit / 2 ? 0 : x); // not "−0.0"
   return typeset(text.data());

@@ -49,7 +49,8 @@ void ValueAxis::linear(const gui::Fonts& fonts, ValueRange range, int most, floa
   for (const double at : t.at) {
     const bool silent = crowded && at != t.at.front() && at != t.at.back();
     ticks_.push_back({at / prefix_.factor, silent ? "" : tick_label(at, t.step)});
-    value_width_ = std::max(value_width_, fonts.width(Type::small, value_label(at, range_)));
+    for (const double value : {at, at + 0.123456 * range_}) // a round one may be shorter
+      value_width_ = std::max(value_width_, fonts.width(Type::small, value_label(value, range_)));
   }
 }
 

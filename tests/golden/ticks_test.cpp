@@ -61,6 +61,29 @@ TEST(Numbers, AreShort) {
   EXPECT_EQ(unit_text("kg/m^3"), "kg/m³");
 }
 
+TEST(Numbers, BesideAxesHaveTheDigitsThatCanBeSeen) {
+  EXPECT_EQ(value_label(1.1376, 1.5), "1.14");
+  EXPECT_EQ(value_label(632.4, 800), "632");
+  EXPECT_EQ(value_label(1.1376, 0.6), "1.138");
+  EXPECT_EQ(value_label(-0.0004, 2), "0.00");
+  EXPECT_EQ(value_label(-12.34, 20), "−12.3");
+  EXPECT_EQ(value_label(1.25e-7, 1e-6), "1.25e−7");
+  EXPECT_EQ(value_label(0.99995, 2e-4), "0.999950");
+  EXPECT_EQ(three_digits(1102.4), "1102");
+  EXPECT_EQ(three_digits(0.01234), "0.0123");
+  EXPECT_EQ(three_digits(1.5e-9), "1.5e−9");
+  EXPECT_EQ(three_digits(0), "0");
+  EXPECT_EQ(power_of_ten(-12), "10⁻¹²");
+  EXPECT_EQ(power_of_ten(3), "10³");
+}
+
+TEST(Ticks, DecadesHoldTheRange) {
+  EXPECT_EQ(decade_ticks(1, 1000, 6).first, 0);
+  EXPECT_EQ(decade_ticks(1, 1000, 6).last, 3);
+  EXPECT_EQ(decade_ticks(1, 1, 6).last, 1) << "one decade at least";
+  EXPECT_EQ(decade_ticks(1e-12, 1, 4).stride, 4);
+}
+
 TEST(Numbers, RoundUpToScales) {
   EXPECT_DOUBLE_EQ(round_up(1), 1);
   EXPECT_DOUBLE_EQ(round_up(3.2), 4);
