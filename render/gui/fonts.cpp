@@ -59,12 +59,13 @@ float Fonts::size(Type t) const {
   return font(t)->FontSize;
 }
 
+bool Fonts::has(Type t, char32_t sign) const {
+  return sign <= IM_UNICODE_CODEPOINT_MAX && font(t)->FindGlyphNoFallback(static_cast<ImWchar>(sign)) != nullptr;
+}
+
 std::string Fonts::drawable(std::string_view text) const {
   if (!plain_) return std::string(text);
-  const ImFont* font = fonts_[0];
-  return plain_text(text, [&](char32_t code) {
-    return code <= IM_UNICODE_CODEPOINT_MAX && font->FindGlyphNoFallback(static_cast<ImWchar>(code)) != nullptr;
-  });
+  return plain_text(text, [&](char32_t code) { return has(Type::small, code); });
 }
 
 float Fonts::width(Type t, std::string_view text) const {

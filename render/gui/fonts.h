@@ -28,6 +28,7 @@ public:
   [[nodiscard]] ImFont* font(Type t) const { return fonts_[static_cast<std::size_t>(t)]; }
   [[nodiscard]] float size(Type t) const; ///< pixels
   [[nodiscard]] float width(Type t, std::string_view text) const;
+  [[nodiscard]] bool has(Type t, char32_t sign) const; ///< can it be drawn?
   /// The text as this font can draw it: unchanged but for signs that a built-in font lacks.
   [[nodiscard]] std::string drawable(std::string_view text) const;
   /// The text, or as much of it as fits followed by an ellipsis.

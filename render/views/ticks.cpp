@@ -99,7 +99,10 @@ std::string value_label(double x, double range) {
 
 std::string three_digits(double x) {
   const double size = std::abs(x);
-  return size >= 1e-3 && size < 1e5 ? value_label(x, std::pow(10, std::floor(std::log10(size)))) : number(x, 3);
+  if (!(size > 0) || !std::isfinite(x)) return number(x, 3);
+  const int power = static_cast<int>(std::floor(std::log10(size) + 1e-9));
+  if (power >= -3 && power < 5) return value_label(x, std::pow(10, power));
+  return number(x / std::pow(10, power), 3) + "·" + power_of_ten(power);
 }
 
 std::string power_of_ten(int exponent) {

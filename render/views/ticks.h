@@ -29,7 +29,7 @@ struct DecadeTicks {
 [[nodiscard]] std::string tick_label(double x, double step);
 /// As a curve's last value is written beside an axis of this range: to a hundredth or a thousandth of it.
 [[nodiscard]] std::string value_label(double x, double range);
-/// With three significant digits, and none of an exponent from 0.001 to 100 000.
+/// With three significant digits: "0.0123", "1102", "3.56·10⁻⁸".
 [[nodiscard]] std::string three_digits(double x);
 /// 10⁻³ for -3.
 [[nodiscard]] std::string power_of_ten(int exponent);

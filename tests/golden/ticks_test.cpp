@@ -71,7 +71,8 @@ TEST(Numbers, BesideAxesHaveTheDigitsThatCanBeSeen) {
   EXPECT_EQ(value_label(0.99995, 2e-4), "0.999950");
   EXPECT_EQ(three_digits(1102.4), "1102");
   EXPECT_EQ(three_digits(0.01234), "0.0123");
-  EXPECT_EQ(three_digits(1.5e-9), "1.5e−9");
+  EXPECT_EQ(three_digits(3.561e-8), "3.56·10⁻⁸");
+  EXPECT_EQ(three_digits(-2e6), "−2·10⁶");
   EXPECT_EQ(three_digits(0), "0");
   EXPECT_EQ(power_of_ten(-12), "10⁻¹²");
   EXPECT_EQ(power_of_ten(3), "10³");
