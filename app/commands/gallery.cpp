@@ -7,6 +7,7 @@
 #include "app/encode/staging.h"
 #include "app/gallery/exhibit.h"
 #include "app/gallery/page.h"
+#include "app/session/failure.h"
 #include "sim/frame/errors.h"
 #include "sim/scene/assets.h"
 
@@ -50,6 +51,7 @@ public:
     refuse_stranger();
     shop.ffmpeg = Process::find("ffmpeg").has_value();
     if (!shop.ffmpeg) shop.say("warning: no ffmpeg in PATH: pictures stand for the videos (apt install ffmpeg)");
+    catch_signals(); // so that nothing half-made is left
     gallery::PageText page{spec.title, spec.intro, {}};
     std::set<std::string> names;
     for (const auto& exhibit : exhibits) page.pieces.push_back(exhibit->make(unique(exhibit->name(), names), shop));

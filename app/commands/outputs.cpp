@@ -61,7 +61,12 @@ std::vector<Cue> subtitles_of(const Resolved& r) {
 std::vector<std::unique_ptr<Sink>> video_sinks(const std::vector<std::string>& names, const Resolved& r,
                                                const std::string& study) {
   std::vector<std::unique_ptr<Sink>> sinks;
-  const auto subtitles = [&](const fs::path& file) { sinks.push_back(text_file(file, to_vtt(subtitles_of(r)))); };
+  const auto once = [&](const fs::path& file) { // several videos of one name share what stands beside them
+    return std::none_of(sinks.begin(), sinks.end(), [&](const auto& s) { return s->path() == file; });
+  };
+  const auto subtitles = [&](const fs::path& file) {
+    if (once(file)) sinks.push_back(text_file(file, to_vtt(subtitles_of(r))));
+  };
   for (const std::string& name : names) {
     const std::string kind = file_kind(name);
     const VideoFormat* format = find_video_format(kind);
@@ -71,7 +76,8 @@ std::vector<std::unique_ptr<Sink>> video_sinks(const std::vector<std::string>& n
       subtitles(name);
     } else if (format) {
       sinks.push_back(video_file(*format, name, video_settings(r, study)));
-      if (r.output.poster >= 0) sinks.push_back(poster_file(beside(name, ".poster.png"), r.output.poster));
+      const fs::path poster = beside(name, ".poster.png");
+      if (r.output.poster >= 0 && once(poster)) sinks.push_back(poster_file(poster, r.output.poster));
       if (r.output.subtitles) subtitles(beside(name, subtitles_extension));
     } else {
       refuse(name, video_extensions(", ") + " or " + subtitles_extension);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/gallery/exhibit.h"
+#include "app/session/failure.h"
 #include "sim/frame/errors.h"
 #include "sim/scene/assets.h"
 
@@ -56,6 +57,10 @@ std::string file_name(const std::string& text) {
   while (!name.empty() && name.back() == '_') name.pop_back();
   constexpr std::size_t longest = 60;
   return name.empty() ? "entry" : name.substr(0, longest);
+}
+
+void Workshop::go_on() {
+  if (const int signal = signal_received()) throw Interrupted(signal);
 }
 
 void Workshop::say(const std::string& what) const {

@@ -87,6 +87,7 @@ private:
     const Budget::Permit permit(budget);
     Pool pool(budget);
     const std::unique_ptr<FigureBody> body = kind_->compute({pool});
+    Workshop::go_on();
     ParticlePictures pictures(shop.session.gl);
     Staging files(shop.path(media_folder));
     const auto drawn = [&](double width, render::Medium medium) { // the page itself has claim and caption

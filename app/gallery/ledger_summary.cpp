@@ -14,6 +14,7 @@ namespace flipbook::app::gallery {
 namespace {
 
 constexpr std::size_t first_quantity = 5, stage_column = 4;
+constexpr double rounding = 2e-6; // of a sum of some thousand steps in single precision
 constexpr std::string_view first_columns = "variant,frame,substep,t (";
 
 /// What one line says, summed over columns of the same kind.
@@ -75,9 +76,9 @@ struct Run {
     taken += n.energy;
     for (std::size_t a = 0; a < 3; ++a) momentum[a] += n.momentum[a], spin[a] += n.spin[a];
   }
+  [[nodiscard]] double momentum_share() const { return length(momentum) / (mass * std::sqrt(2 * most / mass)); }
   [[nodiscard]] std::vector<std::string> row() const {
-    const double speed = std::sqrt(2 * most / mass);
-    return {title, share(end / start), share(taken / start), share(length(momentum) / (mass * speed)),
+    return {title, share(end / start), share(taken / start), share(momentum_share()),
             has_spin ? share(length(spin) / greatest_spin) : "not defined"};
   }
 };
@@ -103,7 +104,6 @@ std::vector<std::string> csv_fields(const std::string& line) {
 
 std::string share(double x) {
   if (!std::isfinite(x)) return "\u2013";
-  constexpr double rounding = 2e-6; // a sum of some thousand steps in single precision
   std::array<char, 64> text{};
   if (x != 0 && std::abs(x) < rounding) {
     std::snprintf(text.data(), text.size(), "%.0e", std::abs(x));
@@ -136,7 +136,12 @@ Table summarise_ledger(std::istream& csv) {
   Table table{.caption = "What each pane kept, and what its transfers (P2G and G2P) changed",
               .head = {"", "energy kept", "transfers: energy", "transfers: momentum", "transfers: angular momentum"},
               .rows = {}};
-  for (const Run& r : runs) table.rows.push_back(r.row());
+  for (const Run& r : runs) {
+    table.rows.push_back(r.row());
+    if (r.momentum_share() > rounding)
+      table.note =
+          "Where the transfers change momentum, FLIP's share of G2P gives back what the stage \"free faces\" took.";
+  }
   return table;
 }
 

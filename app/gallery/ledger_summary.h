@@ -6,7 +6,8 @@
 //   transfers: momentum          |sum of what P2G and G2P changed of p| / (m v), v = sqrt(2 E / m) with the greatest E
 //   transfers: angular momentum  |sum of what P2G and G2P changed of L| / max |L|
 //
-// The last two are 0 to rounding where the transfers conserve them.
+// The last two are 0 to rounding where the transfers conserve them. FLIP's share of G2P gives back what the stage "free
+// faces" took of momentum (sim/fluid/fluid_ledger.h): a note says so where momentum changes.
 #pragma once
 
 #include "app/gallery/piece.h"

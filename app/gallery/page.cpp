@@ -195,9 +195,11 @@ private:
       for (std::size_t i = 1; i < row.size() && !shared; ++i) body += "<td>" + escape(row[i]) + "</td>";
       body += "</tr>\n";
     }
-    return fill(
-        page_file("table.html"),
-        {{"CAPTION", escape(t.caption)}, {"LABEL", escape(t.caption + " of " + id)}, {"HEAD", head}, {"BODY", body}});
+    return fill(page_file("table.html"), {{"CAPTION", escape(t.caption)},
+                                          {"LABEL", escape(t.caption + " of " + id)},
+                                          {"HEAD", head},
+                                          {"BODY", body},
+                                          {"NOTE", paragraphs(t.note, "below")}});
   }
 
   const fs::path& folder_;

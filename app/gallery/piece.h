@@ -17,6 +17,7 @@ struct Table {
   std::vector<std::string> head;
   std::vector<std::vector<std::string>>
       rows; ///< as wide as the head; a row of one more than its name: the same for all
+  std::string note = {};                      ///< below it
 
   [[nodiscard]] bool empty() const { return rows.empty(); }
 };

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A study for several values of one parameter, at several moments: a picture of each, which the page puts behind two
 // sliders. All values run side by side from the same particles, in shared steps, and share their colours.
+#include "app/commands/outputs.h"
 #include "app/commands/variants.h"
 #include "app/encode/png.h"
 #include "app/encode/staging.h"
-#include "app/encode/webp_frames.h"
+#include "app/encode/webp_pictures.h"
 #include "app/figures/shots.h"
 #include "app/gallery/exhibit.h"
 #include "app/gallery/html.h"
@@ -27,7 +28,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int quality = 72; // of the pictures
 constexpr const char* usual_colour = "speed";
 
 /// Pixels that a pane fills but for its title and the colours above; a domain in space is seen from the side.
@@ -162,7 +162,7 @@ private:
     Budget budget(shop.session.threads);
     const Budget::Permit permit(budget);
     Pool pool(budget);
-    const Shots shots = take_shots(resolved_, times_, {pool});
+    const Shots shots = take_shots(resolved_, times_, {pool, [](std::size_t, std::size_t) { Workshop::go_on(); }});
     const render::ViewSettings view = with_shared_range(resolved_.view, shots);
     const auto run = std::make_shared<RunProvenance>(RunProvenance{toml, "", ""});
     const auto context = render::Context::create(shop.session.gl);
@@ -172,6 +172,7 @@ private:
     Staging posters(shop.path(media_folder));
     for (std::size_t v = 0; v < shots.at.size(); ++v)
       for (std::size_t k = 0; k < times_.size(); ++k) {
+        Workshop::go_on();
         render::Frame frame;
         frame.time = times_[k];
         frame.duration = resolved_.duration;
@@ -189,10 +190,7 @@ private:
 
   [[nodiscard]] std::unique_ptr<Sink> sink(const std::string& name, const Workshop& shop) const {
     const fs::path folder = shop.path(media_folder);
-    if (shop.ffmpeg)
-      return webp_frames(
-          folder, name + "_",
-          {.width = resolved_.output.size[0], .height = resolved_.output.size[1], .title = "", .comment = ""}, quality);
+    if (shop.ffmpeg) return webp_pictures(folder, name + "_", video_settings(resolved_, ""));
     return png_files(
         folder, [name](const Provenance& p) { return fs::path(file(name, p.frame, ".png")).filename().string(); },
         folder);

@@ -5,6 +5,7 @@
 #include "app/encode/beside.h"
 #include "app/encode/png.h"
 #include "app/encode/staging.h"
+#include "app/encode/webp_pictures.h"
 #include "app/gallery/exhibit.h"
 #include "app/gallery/html.h"
 #include "app/gallery/ledger_summary.h"
@@ -69,10 +70,10 @@ public:
       (void)run_session(r, toml, Schedule::video(r.output.fps, r.scale, r.frames), std::move(outputs), shop.session);
       return;
     }
-    if (file.extension() == ".png")
-      outputs.pictures = still_sinks({file.string()}, r, 1);
+    if (file.extension() == ".webp")
+      outputs.pictures.push_back(webp_picture(file, video_settings(r, toml)));
     else
-      outputs.pictures = video_sinks({file.string()}, r, toml);
+      outputs.pictures = still_sinks({file.string()}, r, 1);
     (void)run_session(r, toml, Schedule::stills(r.output.fps, r.scale, {request.at}), std::move(outputs), shop.session);
   }
 

@@ -20,6 +20,8 @@ struct Workshop {
   /// "media/dam_break.mp4": as the page names it.
   [[nodiscard]] static std::string media(const std::string& file) { return std::string(media_folder) + "/" + file; }
   [[nodiscard]] std::filesystem::path path(const std::string& file) const { return folder / file; }
+  /// Throws Interrupted where a person wants it to end: what draws by itself asks between two pictures.
+  static void go_on();
   /// Tells what is done, unless it shall be quiet.
   void say(const std::string& what) const;
 };

@@ -75,9 +75,9 @@ const shown = "document.querySelector('.scrubber .screen img').currentSrc.slice(
 
 /// Scrolls through the page once, so that everything that waits for that is loaded.
 async function walk(tab) {
-  await tab.evaluate(`(async () => { for (const e of document.querySelectorAll('.piece')) { e.scrollIntoView(); await new Promise((r) => setTimeout(r, 150)); } })()`);
+  await tab.evaluate(`(async () => { for (const e of document.querySelectorAll('.piece')) { e.scrollIntoView({ behavior: 'instant' }); await new Promise((r) => setTimeout(r, 150)); } })()`);
   await tab.until(loaded, "the pictures of the scrubber");
-  await tab.evaluate("window.scrollTo(0, 0)");
+  await tab.evaluate("window.scrollTo({ top: 0, behavior: 'instant' })");
 }
 
 function shots(name) {
@@ -162,7 +162,7 @@ test("other values are other pictures, and the first moment is the same in all",
 test("plays through the moments and pauses", async () => {
   const tab = await browser.open(page);
   await walk(tab);
-  await tab.evaluate("document.querySelector('.scrubber').scrollIntoView()");
+  await tab.evaluate("document.querySelector('.scrubber').scrollIntoView({ behavior: 'instant' })");
   const k = "document.querySelector('input.time').valueAsNumber";
   const before = await tab.evaluate(k);
   assert.equal(await tab.evaluate("document.querySelector('.play').getAttribute('aria-label')"), "Play");
@@ -178,19 +178,19 @@ test("plays through the moments and pauses", async () => {
 test("videos play in view, unless less motion is wanted", async () => {
   const watch = async (reduced) => {
     const tab = await browser.open(page, { reduced });
-    await tab.evaluate("document.querySelector('video').scrollIntoView({ block: 'center' })");
+    await tab.evaluate("document.querySelector('video').scrollIntoView({ block: 'center', behavior: 'instant' })");
     return tab;
   };
   const lively = await watch(false);
   await lively.until("document.querySelector('video').currentTime > 0.2", "the video to play");
-  await lively.evaluate("window.scrollTo(0, document.body.scrollHeight)");
+  await lively.evaluate("window.scrollTo({ top: document.body.scrollHeight, behavior: 'instant' })");
   await lively.until("document.querySelector('video').paused", "it to pause out of view");
-  await lively.evaluate("document.querySelector('video').scrollIntoView({ block: 'center' })");
+  await lively.evaluate("document.querySelector('video').scrollIntoView({ block: 'center', behavior: 'instant' })");
   await lively.until("!document.querySelector('video').paused", "it to go on");
   await lively.evaluate("document.querySelector('video').pause()");
-  await lively.evaluate("window.scrollTo(0, document.body.scrollHeight)");
+  await lively.evaluate("window.scrollTo({ top: document.body.scrollHeight, behavior: 'instant' })");
   await sleep(300);
-  await lively.evaluate("document.querySelector('video').scrollIntoView({ block: 'center' })");
+  await lively.evaluate("document.querySelector('video').scrollIntoView({ block: 'center', behavior: 'instant' })");
   await sleep(500);
   assert.equal(await lively.evaluate("document.querySelector('video').paused"), true, "who paused it finds it paused");
   const calm = await watch(true);

@@ -21,7 +21,7 @@ export const contrasts = (tab) =>
   const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT), found = [];
   while (walker.nextNode()) {
     const text = walker.currentNode.textContent.trim(), e = walker.currentNode.parentElement;
-    if (!text || !e.checkVisibility() || e.closest(':disabled, .unseen, svg, script, noscript, fieldset:disabled')) continue;
+    if (!text || !e.checkVisibility() || e.closest(':disabled, .unseen, svg, video, script, noscript, fieldset:disabled')) continue;
     const [a, b] = [luminance(rgb(getComputedStyle(e).color)), luminance(behind(e))];
     found.push({ text, ratio: (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05) });
   }

@@ -100,7 +100,7 @@ export class Tab {
   /// The middle of what the selector finds, in the window.
   async middle(selector) {
     const box = await this
-      .evaluate(`(() => { const e = document.querySelector(${JSON.stringify(selector)}); e.scrollIntoView({ block: "nearest" });
+      .evaluate(`(() => { const e = document.querySelector(${JSON.stringify(selector)}); e.scrollIntoView({ block: "nearest", behavior: "instant" });
       const b = e.getBoundingClientRect(); return [b.x + b.width / 2, b.y + b.height / 2]; })()`);
     return { x: box[0], y: box[1] };
   }

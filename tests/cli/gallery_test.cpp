@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <filesystem>
 #include <map>
 
@@ -152,6 +153,15 @@ TEST(Gallery, MakesThePicturesOfAnotherPage) {
   EXPECT_THAT(read_file(f.path() / "p/moving.webp"), HasSubstr("ANIM"));
 }
 
+TEST(Gallery, AnInterruptionLeavesNothingHalfMade) {
+  const Folder f;
+  const Outcome o =
+      run({"gallery", "g", "--scrub", "dam_break:transfer.flip_ratio=0,0.5,0.9,1", "--set", "grid.cells=256"}, f.path(),
+          {.interrupt_after_ms = 1500}); // it would take minutes
+  EXPECT_EQ(o.code, 1000 + SIGINT) << o.err;
+  EXPECT_THAT(f.files(), ElementsAre());
+}
+
 TEST(Gallery, MistakesComeBeforeTheWork) {
   const Folder f;
   (void)f.write("s.toml", study);
@@ -189,10 +199,10 @@ TEST(Video, EveryFormatNeedsFfmpegAndSaysWhatDoesNot) {
 TEST(Video, PosterAndSubtitlesStandBesideIt) {
   const Folder f;
   (void)f.write("s.toml", std::string(study) + "poster = 0.2\nsubtitles = true\n");
-  ASSERT_EQ(run({"render", "s.toml", "-o", "a.mp4", "-o", "b.webm", "-o", "frames/"}, f.path()).code, 0);
-  EXPECT_THAT(f.files(), ElementsAre("a.mp4", "a.poster.png", "a.vtt", "b.poster.png", "b.vtt", "b.webm", "frames",
-                                     "frames/frame_000000.png", "frames/frame_000001.png", "frames/frame_000002.png",
-                                     "frames/frame_000003.png", "s.toml"));
+  ASSERT_EQ(run({"render", "s.toml", "-o", "a.mp4", "-o", "a.gif", "-o", "b.webm", "-o", "frames/"}, f.path()).code, 0);
+  EXPECT_THAT(f.files(), ElementsAre("a.gif", "a.mp4", "a.poster.png", "a.vtt", "b.poster.png", "b.vtt", "b.webm",
+                                     "frames", "frames/frame_000000.png", "frames/frame_000001.png",
+                                     "frames/frame_000002.png", "frames/frame_000003.png", "s.toml"));
   EXPECT_EQ(read_file(f.path() / "a.vtt"),
             "WEBVTT\n\n00:00:00.100 --> 00:00:00.400\nFLIP 1: flip_ratio 1 \u2192 0.2\n");
   const Outcome info = run({"info", "a.poster.png"}, f.path());

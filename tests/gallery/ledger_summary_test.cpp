@@ -31,6 +31,7 @@ TEST(LedgerSummary, AddsUpWhatTheTransfersDid) {
   ASSERT_EQ(t.rows.size(), 1U);
   EXPECT_EQ(t.rows[0], (Words{"PIC", "75.0 %", "\u221215.0 %", share(5 / (2 * std::sqrt(80.0))), "12.5 %"}));
   EXPECT_EQ(t.head.size(), t.rows[0].size());
+  EXPECT_NE(t.note, "") << "where momentum comes from";
 }
 
 TEST(LedgerSummary, KeepsVariantsApart) {
@@ -41,6 +42,7 @@ TEST(LedgerSummary, KeepsVariantsApart) {
   EXPECT_EQ(t.rows[0][1], "50.0 %");
   EXPECT_EQ(t.rows[1][0], "B, \"b\"");
   EXPECT_EQ(t.rows[1][1], "25.0 %");
+  EXPECT_EQ(t.note, "");
   EXPECT_EQ(t.rows[1][4], "not defined") << "a periodic axis";
 }
 
