@@ -59,7 +59,7 @@ public:
   ScrubExhibit(const Entry& entry, const std::vector<Assignment>& all)
       : entry_(entry), all_(all), study_(study_of(entry, all)) {
     if (const Refusal r = check_pane_path(entry.vary); !r.message.empty())
-      throw UserError("a scrub: " + r.message, entry.where, r.nearest);
+      throw UserError(r.message, entry.where, r.nearest);
     study_ = with(study_, bare_view(study_));
     vary();
     if (!says_size(entry)) assign(study_, {"output.size", fitting_size(resolve(study_).variants.front().scene), {}});
@@ -123,8 +123,7 @@ private:
       }
     }
     if (parameter_.path.empty())
-      throw UserError("a scrub of " + entry_.vary + ": " + study_.name +
-                          " does not use it; choose a scheme that does, with transfer.scheme",
+      throw UserError(study_.name + " does not use " + entry_.vary + ": choose a scheme or a solver that does",
                       entry_.where);
   }
 

@@ -26,9 +26,12 @@ bool word(const std::string& text) {
          text != "true" && text != "false" && text != "inf" && text != "nan";
 }
 
-std::string shown(const Parameter& p) {
+/// In a plane a list for three axes has two.
+std::string shown(const Parameter& p, int dim) {
   if (!p.applies) return "\u2013";
-  return plain(p.value) + (p.unit.empty() ? "" : " " + p.unit);
+  Value value = p.value;
+  if (auto* list = std::get_if<std::vector<double>>(&value); list && dim == 2 && list->size() == 3) list->pop_back();
+  return plain(value) + (p.unit.empty() ? "" : " " + p.unit);
 }
 
 } // namespace
@@ -93,9 +96,10 @@ Table parameters_table(const Study& study, const Resolved& resolved) {
   for (const Parameter& first : panes.front()) {
     std::vector<std::string> row{first.path};
     bool same = true, applies = false;
-    for (const std::vector<Parameter>& pane : panes) {
+    for (std::size_t i = 0; i < panes.size(); ++i) {
+      const std::vector<Parameter>& pane = panes[i];
       const auto p = std::find_if(pane.begin(), pane.end(), [&](auto& q) { return q.path == first.path; });
-      row.push_back(p == pane.end() ? "\u2013" : shown(*p));
+      row.push_back(p == pane.end() ? "\u2013" : shown(*p, resolved.variants[i].scene.settings.dim));
       same = same && row.back() == row[1];
       applies = applies || (p != pane.end() && p->applies);
     }

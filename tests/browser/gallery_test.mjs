@@ -132,7 +132,7 @@ test("can be read: contrasts, names, order of headings", async () => {
 });
 
 test("the sliders choose the picture, by keyboard and by pointer", async () => {
-  const tab = await browser.open(page);
+  const tab = await browser.open(page, { reduced: true }); // nothing scrolls by itself
   await walk(tab);
   assert.equal(await tab.evaluate(shown), "0003.webp", "value 0, half-time");
   await tab.evaluate("document.querySelector('input.value').focus()");
@@ -146,6 +146,7 @@ test("the sliders choose the picture, by keyboard and by pointer", async () => {
   await tab.key("Tab");
   await tab.key("Home");
   await tab.until(`${shown} === '0018.webp'`, "the first moment");
+  await tab.evaluate("document.querySelector('input.value').scrollIntoView({ block: 'center', behavior: 'instant' })");
   const box = await tab.evaluate("(() => { const b = document.querySelector('input.value').getBoundingClientRect(); return [b.left + 12, b.top + b.height / 2]; })()");
   await tab.press({ x: box[0], y: box[1] });
   await tab.release({ x: box[0], y: box[1] });

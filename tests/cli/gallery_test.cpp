@@ -173,7 +173,7 @@ TEST(Gallery, MistakesComeBeforeTheWork) {
   refuse({"gallery", "g", "s.toml", "dam_braek"}, {"dam_braek", "\"dam_break\""});
   refuse({"gallery", "g", "s.toml", "--figures", "kernel"}, {"\"kernels\""});
   refuse({"gallery", "g", "s.toml", "--scrub", "s.toml:transfer.flip_ration=0,1"}, {"\"transfer.flip_ratio\""});
-  refuse({"gallery", "g", "--scrub", "s.toml:transfer.order=1,2"}, {"does not use it"});
+  refuse({"gallery", "g", "--scrub", "s.toml:transfer.beta_max=0,1"}, {"does not use transfer.beta_max"});
   refuse({"gallery", "g", "--scrub", "s.toml"}, {"STUDY:PATH=VALUE"});
   refuse({"gallery", "g", "s.toml", "--set", "output.fsp=3"}, {"\"output.fps\""});
   refuse({"gallery", "g", "--from", "g.toml"}, {"g.toml:4", "absent.png"});
