@@ -66,11 +66,16 @@ std::string told(const VideoSettings& s) {
   return s.title + (s.comment.empty() ? "" : "\n\n" + s.comment);
 }
 
-std::string animation_filters(const VideoSettings& s) {
+std::string animation_scale(const VideoSettings& s) {
   const int width = std::min(s.width, s.animation_width);
   const auto height = std::max(1L, std::lround(static_cast<double>(s.height) * width / s.width));
-  return "fps=" + to_toml(Value(std::min(s.fps, s.animation_fps))) + ",scale=" + std::to_string(width) + ":" +
-         std::to_string(height) + ":flags=lanczos+accurate_rnd+full_chroma_int";
+  return "scale=" + std::to_string(width) + ":" + std::to_string(height) +
+         ":flags=lanczos+accurate_rnd+full_chroma_int";
+}
+
+std::string animation_filters(const VideoSettings& s) {
+  // A video of less than half an interval still has its picture: eof_action.
+  return "fps=" + to_toml(Value(std::min(s.fps, s.animation_fps))) + ":eof_action=pass," + animation_scale(s);
 }
 
 FfmpegFile::FfmpegFile(const fs::path& file, const VideoSettings& s, const Words& encoding, const std::string& name)

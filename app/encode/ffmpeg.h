@@ -28,7 +28,9 @@ using Words = std::vector<std::string>;
 [[nodiscard]] Words metadata(const VideoSettings& s);
 /// Title and study, for what ffmpeg writes neither into.
 [[nodiscard]] std::string told(const VideoSettings& s);
-/// The filters that make it as small and slow as animations are: "fps=12.5,scale=640:360:flags=lanczos".
+/// The filter that makes it as small as animations are: "scale=640:360:flags=lanczos".
+[[nodiscard]] std::string animation_scale(const VideoSettings& s);
+/// And as slow: "fps=12.5,scale=...".
 [[nodiscard]] std::string animation_filters(const VideoSettings& s);
 
 class FfmpegFile : public Sink {

@@ -22,7 +22,7 @@ std::unique_ptr<Sink> webp_pictures(const std::filesystem::path& folder, const s
 
 std::unique_ptr<Sink> webp_picture(const std::filesystem::path& file, const VideoSettings& s) {
   return std::make_unique<FfmpegFile>(
-      file, s, joined({{"-vf", animation_filters(s)}, codec(s), {"-frames:v", "1", "-f", "webp"}}));
+      file, s, joined({{"-vf", animation_scale(s)}, codec(s), {"-frames:v", "1", "-f", "webp"}}));
 }
 
 } // namespace flipbook::app

@@ -6,6 +6,7 @@
 #include "app/encode/png.h"
 #include "app/encode/process.h"
 #include "app/encode/video.h"
+#include "app/encode/webp_pictures.h"
 #include "sim/frame/errors.h"
 #include "sim/scene/toml_reader.h"
 #include "tests/unit/message.h"
@@ -84,6 +85,23 @@ TEST_F(Formats, EachIsWhatItsNameSays) {
   std::size_t files = 0;
   for ([[maybe_unused]] const auto& e : fs::directory_iterator(folder_)) ++files;
   EXPECT_EQ(files, 2 * video_formats().size());
+}
+
+TEST_F(Formats, OnePictureIsEnough) {
+  if (!Process::find("ffmpeg")) GTEST_SKIP() << "there is no ffmpeg";
+  const VideoSettings settings{.width = width, .height = height, .title = "", .comment = ""};
+  const auto make_one = [&](const std::string& name, Sink& sink) {
+    sink.write(picture(0));
+    sink.finish();
+    sink.commit();
+    EXPECT_GT(fs::file_size(folder_ / name), 300U) << name;
+  };
+  for (const VideoFormat& f : video_formats()) {
+    const std::string name = "one" + std::string(f.extension);
+    make_one(name, *video_file(f, folder_ / name, settings));
+  }
+  make_one("still.webp", *webp_picture(folder_ / "still.webp", settings));
+  EXPECT_THAT(bytes_of(folder_ / "still.webp"), ::testing::Not(HasSubstr("ANIM")));
 }
 
 TEST_F(Formats, AllCarryTitleAndStudy) {
