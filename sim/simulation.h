@@ -8,6 +8,7 @@
 #include "sim/files/particle_table.h"
 #include "sim/frame/interactions.h"
 #include "sim/frame/snapshot.h"
+#include "sim/frame/stage_still.h"
 
 #include <memory>
 #include <string>
@@ -58,6 +59,9 @@ public:
   /// From now on this gets the time that each part takes; null: nobody does. A simulation that does not tell its parts
   /// apart leaves all of it to whoever calls it.
   virtual void profile(Profile*) {}
+  /// From now on this sees every stage of every step; null: nobody does. It changes nothing. False: the stages of this
+  /// simulation cannot be seen.
+  [[nodiscard]] virtual bool watch(StageTap*) { return false; }
 };
 
 /// Throws UserError for settings that cannot be run, and with preset = "tutorial" for particles that the notes' program

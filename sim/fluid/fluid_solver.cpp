@@ -11,11 +11,8 @@
 #include <utility>
 
 namespace flipbook {
-namespace {
 
-constexpr std::int64_t samples_per_chunk = 1 << 14;
-
-} // namespace
+static constexpr std::int64_t samples_per_chunk = 1 << 14;
 
 // === Setting up
 
@@ -67,6 +64,8 @@ template <int Dim, class Real> void FluidSolver<Dim, Real>::gather_affine_state(
 // === The step
 
 template <int Dim, class Real> void FluidSolver<Dim, Real>::step(double dt) {
+  step_dt_ = dt;
+  show(StageStill::start);
   if (ledger_) ledger_->begin_step(dt);
   switch (state_.settings.time.splitting) {
   case Splitting::lie: lie(dt); break;
@@ -74,6 +73,7 @@ template <int Dim, class Real> void FluidSolver<Dim, Real>::step(double dt) {
   case Splitting::reflection: reflection(dt); break;
   }
   keep_apart();
+  show(StageStill::end);
   state_.time += dt;
   state_.last_dt = dt;
   ++state_.steps;
@@ -148,6 +148,7 @@ void FluidSolver<Dim, Real>::during(Stage stage, Body&& body, Gather gather) {
   if (hook_) hook_->entered(stage, state_);
   body();
   if (hook_) hook_->leaving(stage, state_);
+  show(stage);
   timed.turn(Phase::ledger);
   if (ledger_) ledger_->left(stage, state_, stage == Stage::second_half ? blend_ : state_.u, gather, pool_);
 }

@@ -8,6 +8,7 @@
 #include "sim/fluid/extrapolate.h"
 #include "sim/fluid/fluid_ledger.h"
 #include "sim/fluid/fluid_state.h"
+#include "sim/fluid/fluid_still.h"
 #include "sim/fluid/particle_table.h"
 #include "sim/fluid/project.h"
 #include "sim/fluid/recorder.h"
@@ -48,6 +49,10 @@ public:
     return flipbook::particle_table(state_.particles, state_.settings.grid.origin);
   }
   void profile(Profile* p) override { profile_ = projection_.profile = p; }
+  [[nodiscard]] bool watch(StageTap* tap) override {
+    tap_ = tap;
+    return true;
+  }
 
   [[nodiscard]] const FluidState<Dim, Real>& state() const { return state_; }
   /// None where ledger.on is false.
@@ -76,6 +81,15 @@ private:
   /// body() as that stage: the hook acts at its borders, then the ledger looks at what has changed.
   template <class Body> void during(Stage stage, Body&& body, Gather gather = Gather::scheme);
 
+  /// The tap looks at what a stage has left, or at the particles at the borders of a step.
+  void show(Stage stage) const {
+    const StillOf of{stage_names[static_cast<std::size_t>(stage)].name, state_.time, step_dt_};
+    if (tap_) tap_->saw(fluid_still(of, state_, stage == Stage::second_half ? blend_ : state_.u));
+  }
+  void show(std::string_view border) const {
+    if (tap_) tap_->saw(still_of_particles({border, state_.time, step_dt_}, state_.grid, state_.particles));
+  }
+
   void extrapolate_over_air(bool massless_too, Components<Dim, Real>& u);
   /// blend = a u + b other.
   void combine(Real a, Real b, const Components<Dim, Real>& other);
@@ -97,7 +111,9 @@ private:
   std::optional<FluidLedger<Dim, Real>> ledger_;
   Recorder<Dim, Real> recorder_;
   std::unique_ptr<StageHook<Dim, Real>> hook_; ///< null in a normal run
+  StageTap* tap_ = nullptr;                    ///< likewise
   Profile* profile_ = nullptr;                 ///< likewise
+  double step_dt_ = 0;                         ///< of the step that is being taken
 };
 
 } // namespace flipbook

@@ -92,6 +92,9 @@ template <int Dim, class Real> double MpmSolver<Dim, Real>::max_dt() const {
 
 template <int Dim, class Real> void MpmSolver<Dim, Real>::step(double dt) {
   auto& s = state_;
+  step_t_ = s.time;
+  step_dt_ = dt;
+  show(StageStill::start);
   if (ledger_) ledger_->begin_step(dt);
   s.solids.give_velocity(s.time, s.time + dt, s.walls, pool_);
   particles_to_grid(); // u_i = sum_p w m (v_p + A_p (x_i - x_p)) / m_i,  u_old = u
@@ -104,6 +107,8 @@ template <int Dim, class Real> void MpmSolver<Dim, Real>::step(double dt) {
   ++s.steps;
   move(dt); // x <- x + dt sum_i w u,  F <- (I + dt sum_i u grad w^T) F
   ask();    // plastic flow, tau, Psi
+  show(MpmStage::motion);
+  show(StageStill::end);
   const Timed timed(profile_, Phase::ledger);
   if (ledger_) {
     ledger_->left(MpmStage::motion, s, s.u, pool_);
@@ -117,8 +122,17 @@ template <class Body>
 void MpmSolver<Dim, Real>::during(MpmStage stage, Phase phase, Body&& body) {
   Timed timed(profile_, phase);
   body();
+  show(stage);
   timed.turn(Phase::ledger);
   if (ledger_) ledger_->left(stage, state_, state_.u, pool_);
+}
+
+template <int Dim, class Real> void MpmSolver<Dim, Real>::show(MpmStage stage) const {
+  if (tap_) tap_->saw(mpm_still({mpm_stage_names[static_cast<std::size_t>(stage)].name, step_t_, step_dt_}, state_));
+}
+
+template <int Dim, class Real> void MpmSolver<Dim, Real>::show(std::string_view border) const {
+  if (tap_) tap_->saw(still_of_particles({border, step_t_, step_dt_}, state_.grid, state_.particles));
 }
 
 template <int Dim, class Real> void MpmSolver<Dim, Real>::particles_to_grid() {

@@ -11,6 +11,7 @@
 #include "sim/mpm/mpm_recorder.h"
 #include "sim/mpm/mpm_stage.h"
 #include "sim/mpm/mpm_state.h"
+#include "sim/mpm/mpm_still.h"
 #include "sim/simulation.h"
 #include "sim/transfer/scatter_stress.h"
 #include "sim/transfer/xpic.h"
@@ -57,6 +58,10 @@ public:
     return flipbook::particle_table(state_.particles, state_.settings.grid.origin, Carried<Dim>::names());
   }
   void profile(Profile* p) override { profile_ = p; }
+  [[nodiscard]] bool watch(StageTap* tap) override {
+    tap_ = tap;
+    return true;
+  }
 
   /// An acceleration (m/s^2) of the particles on top of gravity, at a place (metres from the lower corner of the
   /// domain) and a time: for manufactured solutions. The ledger books it with gravity.
@@ -80,6 +85,8 @@ private:
 
   /// body() as that stage; then the ledger looks at what has changed.
   template <class Body> void during(MpmStage stage, Phase phase, Body&& body);
+  void show(MpmStage stage) const;          ///< to the tap: what a stage has left
+  void show(std::string_view border) const; ///< and the particles at the borders of a step
   void gather_affine_state();
   void act(const Push& push);
   void act(const AddParticles& add);
@@ -98,6 +105,8 @@ private:
   std::optional<MpmLedger<Dim, Real>> ledger_;
   MpmRecorder<Dim, Real> recorder_;
   Profile* profile_ = nullptr;
+  StageTap* tap_ = nullptr;         ///< null in a normal run
+  double step_t_ = 0, step_dt_ = 0; ///< of the step that is being taken: its start and its length
 };
 
 } // namespace flipbook

@@ -45,6 +45,7 @@ public:
   [[nodiscard]] std::shared_ptr<const Snapshot> snapshot(std::uint64_t frame, const FrameRequest& request) override;
   [[nodiscard]] ParticleTable particle_table() const override;
   void profile(Profile* p) override { solver_->profile(p); }
+  [[nodiscard]] bool watch(StageTap* tap) override { return solver_->watch(tap); }
 
 private:
   bool advance(double dt);

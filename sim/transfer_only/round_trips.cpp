@@ -2,6 +2,7 @@
 #include "sim/transfer_only/round_trips.h"
 
 #include "sim/core/check_finite.h"
+#include "sim/fluid/still.h"
 #include "sim/transfer/transfer.h"
 #include "sim/transfer_only/start.h"
 
@@ -38,9 +39,13 @@ template <int Dim, class Real> Refusal RoundTrips<Dim, Real>::set(std::string_vi
 
 template <int Dim, class Real> void RoundTrips<Dim, Real>::step(double dt) {
   auto& s = state_;
+  show(StageStill::start, dt);
   particles_to_grid(s, s.particles, s.m, s.u, pool_);
+  show("p2g", dt);
   ledger_.after_p2g(s, pool_);
   grid_to_particles();
+  show("g2p", dt);
+  show(StageStill::end, dt);
   s.time += dt;
   ++s.steps;
   ledger_.after_g2p(s, pool_);
@@ -53,6 +58,14 @@ template <int Dim, class Real> void RoundTrips<Dim, Real>::grid_to_particles() {
   const auto fold = [&](Components<Dim, Real>& sums) { s.walls.fold(sums); };
   xpic_.gather(s.settings.transfer.corner(), s.kernel(), s.layout(), s.grid, s.u, s.u, s.order, fold, s.particles,
                pool_);
+}
+
+template <int Dim, class Real> void RoundTrips<Dim, Real>::show(std::string_view stage, double dt) const {
+  if (!tap_) return;
+  StageStill still = still_of_particles({stage, state_.time, dt}, state_.grid, state_.particles);
+  if (stage != StageStill::start && stage != StageStill::end)
+    add_velocity(still, state_.grid, state_.layout(), state_.m, state_.u);
+  tap_->saw(std::move(still));
 }
 
 template class RoundTrips<2, float>;

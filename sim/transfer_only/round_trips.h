@@ -40,18 +40,25 @@ public:
     return flipbook::particle_table(state_.particles, state_.settings.grid.origin);
   }
 
+  [[nodiscard]] bool watch(StageTap* tap) override {
+    tap_ = tap;
+    return true;
+  }
+
   [[nodiscard]] const TripState<Dim, Real>& state() const { return state_; }
   /// With the accounts since the last call.
   [[nodiscard]] LedgerTable ledger() { return ledger_.publish(); }
 
 private:
   void grid_to_particles();
+  void show(std::string_view stage, double dt) const; ///< to the tap: what a stage has left
 
   Pool& pool_;
   TripState<Dim, Real> state_;
   TripLedger<Dim, Real> ledger_;
   XpicTerms<Dim, Real> xpic_;
   TripRecorder<Dim, Real> recorder_;
+  StageTap* tap_ = nullptr; ///< null in a normal run
 };
 
 } // namespace flipbook

@@ -30,6 +30,7 @@ public:
   [[nodiscard]] std::shared_ptr<const Snapshot> snapshot(std::uint64_t frame, const FrameRequest& request) override;
   [[nodiscard]] ParticleTable particle_table() const override { return runs_->particle_table(); }
   void profile(Profile* p) override { runs_->profile(p); }
+  [[nodiscard]] bool watch(StageTap* tap) override { return runs_->watch(tap); }
 
 private:
   Settings shown_; ///< with the notes' grid
