@@ -37,6 +37,10 @@ const std::array table = std::to_array<CommandEntry>({
      "Examples:\n  flipbook still drop --at 0.2,0.4,0.6\n"
      "  flipbook still dam_break --rows schemes=pic,flip:0.97,apic --cols t=0.4,0.8,1.6 --width 174mm -o dam.pdf",
      make_still},
+    {"stages", "One step of a run, stage by stage: P2G, forces, pressure, G2P, ...",
+     "Examples:\n  flipbook stages dam_break --at 0.4 -o stages.png\n"
+     "  flipbook stages drop --at 0.3 --schemes pic,apic -o stages.mp4 -o pages/",
+     make_stages},
     {"serve", "Run a study or a scene live, in a browser",
      "Examples:\n  flipbook serve dam_break\n  flipbook serve my_study.toml --port 8080 -o recordings\n"
      "  ssh -L 8080:localhost:8080 cluster flipbook serve dam_break --port 8080",

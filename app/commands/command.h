@@ -80,6 +80,7 @@ std::unique_ptr<Command> make_render();
 std::unique_ptr<Command> make_compare();
 std::unique_ptr<Command> make_serve();
 std::unique_ptr<Command> make_still();
+std::unique_ptr<Command> make_stages();
 std::unique_ptr<Command> make_figure();
 std::unique_ptr<Command> make_gallery();
 std::unique_ptr<Command> make_verify();

@@ -120,6 +120,15 @@ void RunOptions::describe_live(OptionVisitor& v) {
           "Where recordings, snapshots and studies go (out if not given)");
 }
 
+void RunOptions::describe_stages(OptionVisitor& v) {
+  describe_run(v);
+  describe_machine(v);
+  v.texts("-o,--output", outputs_, {"X.png|X.mp4|FOLDER/", Argument::Kind::file},
+          "A sheet of all stages (also .pdf, .svg), a video, or a folder for a picture of each; may be repeated");
+  v.text("--with-mistake", mistake_, {"NAME|mystery:N", Argument::Kind::mistake},
+         "Beside each pane the same with a classic mistake (flipbook list mistakes)");
+}
+
 std::string RunOptions::folder() const {
   if (outputs_.size() > 1) throw UserError("-o: a live session has one folder");
   return outputs_.empty() ? "out" : outputs_.front();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/commands/command.h"
+#include "app/commands/stages_request.h"
 #include "app/commands/strip_request.h"
 #include "app/series/open_series.h"
 #include "app/session/session.h"
@@ -24,6 +25,8 @@ public:
   /// Those about the machine alone.
   void describe_machine(OptionVisitor& v);
 
+  /// Those of them that look at a single step.
+  void describe_stages(OptionVisitor& v);
   /// Those of them that a live session has; -o is a folder.
   void describe_live(OptionVisitor& v);
   [[nodiscard]] std::string folder() const; ///< "out" if none was given
@@ -38,6 +41,9 @@ public:
 
   /// A filmstrip in rows and columns, at a physical size.
   int make_strip(Study study, const StripRequest& request) const;
+
+  /// A step, stage by stage.
+  int make_stages(Study study, const StagesRequest& request) const;
 
   /// Draws a folder of particle files as a video or frames, or single pictures of the frames nearest to `times`.
   int draw_series(const std::string& folder) const;
