@@ -31,7 +31,8 @@ const std::array table = std::to_array<CommandEntry>({
      "Examples:\n  flipbook render dam_break\n  flipbook render my_study.toml -o film.mp4 -o frames/", make_render},
     {"compare", "The same scene with several schemes or parameter values, side by side",
      "Examples:\n  flipbook compare dam_break\n  flipbook compare taylor_green --schemes pic,flip:0.95,apic --set "
-     "view.colour=vorticity\n  flipbook compare dam_break --vary transfer.flip_ratio=0,0.5,0.95,1",
+     "view.colour=vorticity\n  flipbook compare dam_break --vary transfer.flip_ratio=0,0.5,0.95,1\n"
+     "  flipbook compare dam_break --rows transfer.flip_ratio=0,0.5,0.95,1 --cols transfer.kernel=linear,quadratic",
      make_compare},
     {"still", "Single pictures at given times, or a filmstrip for print",
      "Examples:\n  flipbook still drop --at 0.2,0.4,0.6\n"

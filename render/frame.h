@@ -26,11 +26,17 @@ struct Pane {
   std::shared_ptr<const Snapshot> snapshot; ///< never null
 };
 
+/// What stands at the margins of a contact sheet; both empty: each pane has its own title.
+struct SheetNames {
+  std::vector<std::string> rows, columns;
+};
+
 struct Frame {
   std::string title;
   double time = 0;         ///< simulated, in time_unit()
   double duration = 0;     ///< of the whole run, for the plots' time axis
-  std::vector<Pane> panes; ///< 1 to 12
+  std::vector<Pane> panes; ///< 1 to 12; up to 36 in a contact sheet
+  SheetNames sheet;
   std::vector<PointerTarget>
       pointer;          ///< the pointer goes to the one with the largest grip; all 0 or empty: none is drawn
   bool turning = false; ///< the timeline moves the camera around: the tank then keeps its size from frame to frame

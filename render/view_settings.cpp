@@ -53,6 +53,7 @@ void ViewSettings::describe(ParameterVisitor& v) {
     plotting.describe(v);
     v.choice({.name = "ledger", .help = "A table beside each pane: what every stage of a step changed."}, ledger,
              ledgers);
+    sheet.describe(v);
     v.flag({.name = "pointer", .help = "Draw the hand that moves the sliders of a timeline."}, pointer);
     v.flag({.name = "steady",
             .help = "The tank of 3D panes keeps its size while the camera turns; always so where keys turn it."},
@@ -86,7 +87,8 @@ FrameRequest ViewSettings::request() const {
   const ColourQuantity& q = chosen_quantity(*this);
   if (q.kind != MapKind::cyclic) r.channels.emplace_back(q.name); // ids are always published
   r.faces = arrows;
-  r.noise = plot_height > 0 && std::find(plots.begin(), plots.end(), "noise") != plots.end();
+  r.noise = is_sheet() ? sheet.sparkline == "noise"
+                       : plot_height > 0 && std::find(plots.begin(), plots.end(), "noise") != plots.end();
   return r;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What `still` does with --rows and --cols: a filmstrip of a physical size.
+#include "app/commands/axis.h"
 #include "app/commands/run_options.h"
 #include "app/commands/strip_request.h"
 #include "app/encode/png.h"
@@ -9,8 +10,8 @@
 #include "app/figures/shots.h"
 #include "app/figures/strip.h"
 #include "app/study/memory.h"
-#include "app/validate/experiment.h"
 #include "app/validate/figure.h"
+#include "render/compose/sheet_settings.h"
 #include "render/context/context.h"
 #include "sim/frame/errors.h"
 
@@ -21,35 +22,6 @@
 
 namespace flipbook::app {
 
-StripAxis parse_strip_axis(const std::string& text, const std::string& option, const Study& study) {
-  StripAxis axis;
-  if (text.empty()) return axis;
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0)
-    throw UserError(option + " " + text + ": t=0.2,0.4, schemes=pic,apic or path=value,value");
-  const std::string what = text.substr(0, equals), values = text.substr(equals + 1);
-  constexpr double longest = 1e4;
-  if (what == "t") {
-    for (const std::string& t : split_list(values, option)) axis.times.push_back(parse_number(t, option, 0, longest));
-    std::sort(axis.times.begin(), axis.times.end());
-    axis.times.erase(std::unique(axis.times.begin(), axis.times.end()), axis.times.end());
-    for (const double t : axis.times) axis.labels.push_back("$t$ = " + number_text(t) + " s");
-  } else if (what == "schemes") {
-    axis.changes = scheme_variants(values);
-    for (const std::string& s : split_list(values, option)) axis.labels.push_back(scheme_title(s));
-  } else {
-    axis.changes = vary_variants(text);
-    const std::string name = what.substr(what.rfind('.') + 1);
-    for (Changes& c : axis.changes) {
-      const Value& value = c.front().value;
-      const auto* word = std::get_if<std::string>(&value);
-      axis.labels.push_back(word ? *word : name + " " + to_toml(value));
-      complete_cells(c.front(), study);
-    }
-  }
-  return axis;
-}
-
 namespace {
 
 struct Body final : FigureBody {
@@ -59,22 +31,11 @@ struct Body final : FigureBody {
 };
 
 /// The variants that the axes ask for, row by row; the study's own where no axis changes anything.
-std::vector<Variant> variants_of(const Study& study, const StripAxis& rows, const StripAxis& columns) {
-  std::vector<Changes> all{{}};
-  for (const StripAxis* axis : {&rows, &columns}) {
-    if (axis->changes.empty()) continue;
-    std::vector<Changes> next;
-    for (const Changes& before : all)
-      for (const Changes& c : axis->changes) {
-        next.push_back(before);
-        next.back().insert(next.back().end(), c.begin(), c.end());
-      }
-    all = std::move(next);
-  }
+std::vector<Variant> variants_of(const Study& study, const Axis& rows, const Axis& columns) {
+  const std::vector<Changes> all = panes_of(study, rows, columns);
   if (all.size() == 1 && all.front().empty()) return study.variants;
-  refuse_overlap(study, all);
   std::vector<Variant> variants;
-  for (Changes& c : all) variants.push_back({"", std::move(c), {}});
+  for (const Changes& c : all) variants.push_back({"", c, {}});
   return variants;
 }
 
@@ -86,7 +47,7 @@ render::ViewSettings view_of(const Resolved& resolved, const Shots& shots) {
 }
 
 /// Puts variants and times where the rows and columns are.
-Strip strip_of(const Resolved& resolved, Shots shots, const StripAxis& rows, const StripAxis& columns) {
+Strip strip_of(const Resolved& resolved, Shots shots, const Axis& rows, const Axis& columns) {
   Strip strip{
       .rows = rows.labels, .columns = columns.labels, .shots = {}, .view = view_of(resolved, shots), .window = {}};
   const Snapshot& first = *shots.at.front().front();
@@ -122,8 +83,7 @@ render::Medium medium_of(const std::filesystem::path& file) {
 } // namespace
 
 int RunOptions::make_strip(Study study, const StripRequest& request) const {
-  const StripAxis rows = parse_strip_axis(request.rows, "--rows", study),
-                  columns = parse_strip_axis(request.columns, "--cols", study);
+  const Axis rows = parse_axis(request.rows, "--rows", study), columns = parse_axis(request.columns, "--cols", study);
   if (!rows.times.empty() && !columns.times.empty()) throw UserError("--rows and --cols cannot both be times");
   std::vector<double> times = rows.times.empty() ? columns.times : rows.times;
   if (!times.empty() && !request.at.empty()) throw UserError("--at has no place beside times in --rows or --cols");
@@ -141,6 +101,8 @@ int RunOptions::make_strip(Study study, const StripRequest& request) const {
   }
   study.variants = variants_of(study, rows, columns);
   study.overridden = true;
+  if (study.variants.size() > render::most_panes) // its study shows as many in no other way
+    study.view.push_back({"view.layout", std::string("sheet"), {}});
   const Resolved resolved = resolve(study);
   if (resolved.variants.front().scene.settings.dim == 3)
     throw UserError("a filmstrip is drawn in 2D: give --dim 2, or use still without --rows and --cols");

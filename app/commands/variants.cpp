@@ -3,6 +3,7 @@
 
 #include "app/study/paths.h"
 #include "app/study/resolve.h"
+#include "render/compose/sheet_settings.h"
 #include "sim/frame/errors.h"
 #include "sim/transfer/schemes.h"
 
@@ -105,8 +106,9 @@ std::vector<Changes> multiply(const std::vector<Changes>& panes, const std::vect
     }
   }
   if (!used) throw UserError("--vary " + path + ": no pane uses it");
-  if (all.size() > most_variants)
-    throw UserError(std::to_string(all.size()) + " panes; a frame has at most " + std::to_string(most_variants));
+  if (all.size() > render::most_panes)
+    throw UserError(std::to_string(all.size()) + " panes; a frame has at most " + std::to_string(render::most_panes) +
+                    ", or with --rows and --cols a sheet of " + std::to_string(render::most_sheet_panes));
   return all;
 }
 
@@ -114,7 +116,8 @@ void choose_scheme(std::vector<Changes>& panes, const Study& study, const std::s
   if (std::any_of(panes.begin(), panes.end(), [&](const Changes& pane) { return uses(study, pane, path); })) return;
   for (const SchemeInfo& s : scheme_infos()) {
     if (!s.first || s.first->path != path) continue;
-    for (Changes& pane : panes) pane.push_back({"transfer.scheme", std::string(s.name), {"--vary", 0, 0}});
+    for (Changes& pane : panes) // before its numbers
+      pane.insert(pane.begin(), {"transfer.scheme", std::string(s.name), {"--vary", 0, 0}});
     return;
   }
 }

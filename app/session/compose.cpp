@@ -2,6 +2,7 @@
 #include "app/session/compose.h"
 
 #include "app/series/playback.h"
+#include "app/study/sheet_names.h"
 #include "app/study/titles.h"
 
 #include <algorithm>
@@ -40,6 +41,10 @@ render::Frame compose(const Resolved& resolved, const Bundle& bundle, std::vecto
     panes.push_back({resolved.variants[i].label, bundle.snapshots[i]->title, bundle.snapshots[i]->parameters});
   const std::vector<std::string> titles = pane_titles(panes);
   for (std::size_t i = 0; i < titles.size(); ++i) frame.panes.push_back({titles[i], bundle.snapshots[i]});
+  if (bundle.view.is_sheet()) {
+    MarginNames names = margin_names(panes, bundle.view.sheet.columns_of(panes.size()));
+    frame.sheet = {std::move(names.rows), std::move(names.columns)};
+  }
   const Timeline& timeline = resolved.timeline;
   if (bundle.view.pointer) frame.pointer = timeline.pointer_targets(bundle.stop.time, resolved.scale);
   frame.turning = bundle.view.steady || timeline.moves("view.azimuth") || timeline.moves("view.elevation");

@@ -42,6 +42,14 @@ Refusal check_plots(const std::string& path, const std::vector<std::string>& plo
   return {};
 }
 
+/// A curve of its own, none that stands for several.
+Refusal check_sparkline(const std::string& name) {
+  if (name.empty()) return {};
+  if (name == render::lost_by_stage) return {"view.sparkline: \"" + name + "\" stands for several curves", ""};
+  const Refusal r = check_plot(name);
+  return r.message.empty() ? Refusal{} : Refusal{"view.sparkline: " + r.message, r.nearest};
+}
+
 } // namespace
 
 std::vector<Parameter> known_parameters() {
@@ -107,6 +115,7 @@ ViewMistake check_view(const render::ViewSettings& view) {
   if (Refusal r = check_panel(view.panel); !r.message.empty()) return {"view.panel", std::move(r)};
   if (Refusal r = check_plots("view.plots", view.plots); !r.message.empty()) return {"view.plots", std::move(r)};
   if (Refusal r = check_plots("view.log", view.plotting.log); !r.message.empty()) return {"view.log", std::move(r)};
+  if (Refusal r = check_sparkline(view.sheet.sparkline); !r.message.empty()) return {"view.sparkline", std::move(r)};
   if (view.range[0] > view.range[1])
     return {"view.range",
             {"view.range must go from the lower end to the upper one, not from " + to_toml(Value(view.range[0])) +

@@ -2,6 +2,7 @@
 #include "app/study/study.h"
 
 #include "app/study/paths.h"
+#include "render/compose/sheet_settings.h"
 #include "sim/scene/assets.h"
 
 #include <algorithm>
@@ -90,6 +91,13 @@ void read_key(const Node& node, Study& study, Mistakes& mistakes) {
   }
 }
 
+/// Does the study show its variants as a contact sheet, which has more?
+bool is_sheet(const Node& root) {
+  const Node* view = root.find("view");
+  const Node* layout = view ? view->find("layout") : nullptr;
+  return layout && layout->text == "sheet";
+}
+
 void read_variants(const Node& root, Study& study, Mistakes& mistakes) {
   const Node* list = root.find("variant");
   for (const Node* node : tables(list, "variant", mistakes)) {
@@ -101,10 +109,9 @@ void read_variants(const Node& root, Study& study, Mistakes& mistakes) {
     study.variants.push_back(std::move(v));
   }
   if (!list) study.variants.emplace_back();
-  if (list && (study.variants.empty() || study.variants.size() > most_variants))
-    mistakes.add("a study has 1 to " + std::to_string(most_variants) + " variants, not " +
-                     std::to_string(study.variants.size()),
-                 list->where);
+  const std::size_t most = is_sheet(root) ? render::most_sheet_panes : render::most_panes;
+  if (list && (study.variants.empty() || study.variants.size() > most))
+    mistakes.add(too_many_variants(study.variants.size(), most), list->where);
 }
 
 void read_scene_of(const Node& root, Study& study, const std::string& file, Mistakes& mistakes) {
@@ -165,6 +172,12 @@ Study of_scene(SceneText scene) {
 }
 
 } // namespace
+
+std::string too_many_variants(std::size_t variants, std::size_t most) {
+  const std::string text = "a study has 1 to " + std::to_string(most) + " variants, not " + std::to_string(variants);
+  if (variants < most || most == render::most_sheet_panes) return text;
+  return text + "; with view.layout = \"sheet\" up to " + std::to_string(render::most_sheet_panes);
+}
 
 Study parse_study(std::string_view text, const std::string& file) {
   return from_tree(parse_toml(text, file), file);

@@ -182,6 +182,11 @@ void resolve_edits(const Study& study, Resolved& resolved, Mistakes& mistakes) {
   }
 }
 
+void refuse_too_many(const Resolved& resolved) {
+  const std::size_t n = resolved.variants.size();
+  if (n > render::most_panes && !resolved.view.is_sheet()) throw UserError(too_many_variants(n, render::most_panes));
+}
+
 std::string counted(std::size_t n, const std::string& one, const std::string& many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
@@ -208,8 +213,7 @@ Resolved resolve(const Study& study) {
   Resolved resolved;
   resolved.name = study.name;
   if (study.variants.empty() || study.variants.size() > most_variants)
-    throw UserError("a study has 1 to " + std::to_string(most_variants) + " variants, not " +
-                    std::to_string(study.variants.size()));
+    throw UserError(too_many_variants(study.variants.size(), most_variants));
   resolve_variants(study, resolved, mistakes);
   const Scene& scene = resolved.variants.front().scene;
   resolved.title = study.title.empty() ? scene.summary : study.title;
@@ -217,6 +221,7 @@ Resolved resolve(const Study& study) {
   resolve_output(study, resolved, mistakes);
   resolve_references(study, resolved, mistakes);
   mistakes.raise();
+  refuse_too_many(resolved);
   const double notes = notes_interval(study, resolved, mistakes);
 
   resolved.timeline = Timeline(study.keys, key_targets(resolved), resolved.view, study.overridden, mistakes);

@@ -68,6 +68,10 @@ void assign(Study& study, Assignment change);
 /// The names of all studies.
 [[nodiscard]] std::vector<std::string> list_studies();
 
-inline constexpr std::size_t most_variants = 12;
+/// Of a contact sheet; other layouts show fewer (render/compose/sheet_settings.h).
+inline constexpr std::size_t most_variants = 36;
+
+/// What is said of a study with so many variants where there may be `most`.
+[[nodiscard]] std::string too_many_variants(std::size_t variants, std::size_t most);
 
 } // namespace flipbook::app

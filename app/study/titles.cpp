@@ -116,6 +116,10 @@ Parameter in_dimension(const TitledPane& pane, Parameter p) {
 
 } // namespace
 
+std::string parameter_words(const TitledPane& pane, const Parameter& parameter) {
+  return words(in_dimension(pane, parameter));
+}
+
 std::vector<std::string> pane_titles(std::span<const TitledPane> given) {
   std::vector<TitledPane> panes(given.begin(), given.end());
   for (TitledPane& pane : panes)

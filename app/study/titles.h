@@ -19,4 +19,7 @@ struct TitledPane {
 /// "APIC, quadratic", "FLIP 0.97, 128 x 128 cells, cfl 0.25"
 [[nodiscard]] std::vector<std::string> pane_titles(std::span<const TitledPane> panes);
 
+/// What is said of one parameter: "CFL 0.25", "128 x 128 cells".
+[[nodiscard]] std::string parameter_words(const TitledPane& pane, const Parameter& parameter);
+
 } // namespace flipbook::app

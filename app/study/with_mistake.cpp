@@ -40,9 +40,11 @@ Study with_mistake(Study study, const museum::Choice& choice) {
     panes.push_back(twin_of(v, hung));
     became.back().push_back(static_cast<int>(panes.size()));
   }
-  if (panes.size() > most_variants)
+  if (resolved.view.is_sheet())
+    throw UserError("--with-mistake: the rows and columns of a sheet have no place for mistaken panes");
+  if (panes.size() > render::most_panes)
     throw UserError("--with-mistake: " + std::to_string(panes.size()) + " panes with the mistaken ones; a frame has " +
-                    "at most " + std::to_string(most_variants));
+                    "at most " + std::to_string(render::most_panes));
   study.variants = std::move(panes);
   for (Key& key : study.keys) {
     std::vector<int> numbers;

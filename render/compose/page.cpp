@@ -54,7 +54,9 @@ std::array<double, 2> extent(const Snapshot& s, const ViewSettings& view, bool t
 
 Page::Page(const Frame& frame, const ViewSettings& view, const gui::Fonts& fonts, int width, int height)
     : frame_(frame), view_(view), palette_(palette(view.theme)), values_(all_values(frame, view)),
-      scale_(shared_scale(frame, view, values_)), plots_(plots_of(frame, view)), legend_(frame, plots_) {
+      scale_(shared_scale(frame, view, values_)), plots_(view.is_sheet() ? std::vector<Plot>{} : plots_of(frame, view)),
+      legend_(frame, plots_) {
+  if (view.is_sheet()) sheet_.emplace(frame, view, fonts);
   collect_footer();
   LayoutRequest r;
   r.width = width;
@@ -83,6 +85,11 @@ Page::Page(const Frame& frame, const ViewSettings& view, const gui::Fonts& fonts
 
 /// With the tables of the ledger if there is room for them; else a warning says why there are none.
 void Page::arrange_parts(LayoutRequest& r, const gui::Fonts& fonts) {
+  if (sheet_) {
+    r.footer_lines = footer_lines();
+    layout_ = arrange(r); // for what surrounds the panes
+    return sheet_->arrange(r, layout_);
+  }
   if (view_.ledger != LedgerView::off) {
     const std::vector<std::string> all_notes = notes_;
     share_notes();
@@ -102,11 +109,17 @@ void Page::arrange_parts(LayoutRequest& r, const gui::Fonts& fonts) {
 }
 
 void Page::fit_texts(const gui::Fonts& fonts) {
+  if (sheet_ && sheet_->named()) return;
   std::vector<std::string> titles;
   std::vector<float> widths;
   for (const Pane& p : frame_.panes) titles.push_back(p.title);
   for (const PaneBox& p : layout_.panes) widths.push_back(p.title.w);
-  titles_ = fit_titles(fonts, Type::strong, titles, widths);
+  titles_ = fit_titles(fonts, sheet_ ? Type::small : Type::strong, titles, widths);
+}
+
+/// Of a pane's frame. Those of a sheet are named by their places.
+Colour Page::colour_of(std::size_t pane) const {
+  return sheet_ ? palette_.accent : palette_.variant(pane);
 }
 
 void Page::place_domains() {
@@ -116,7 +129,7 @@ void Page::place_domains() {
     const Rect room = frame.inset(layout_.padding);
     if (s.dim == 3) {
       const Rect window = frame.inset(2 * layout_.padding); // corners of a tank want more room than walls
-      views_.push_back({&s, frame, window, 0, palette_.variant(i), Camera(s, view_, frame_.turning, window)});
+      views_.push_back({&s, frame, window, 0, colour_of(i), Camera(s, view_, frame_.turning, window)});
       continue;
     }
     const auto [w, h] = extent(s, view_, false);
@@ -125,7 +138,7 @@ void Page::place_domains() {
     const auto left = static_cast<float>(view_.target[0]), above = static_cast<float>(1 - view_.target[1]);
     const Rect domain{std::round(room.middle_x() - left * dw), std::round(room.middle_y() - above * dh), std::round(dw),
                       std::round(dh)};
-    views_.push_back({&s, frame, domain, static_cast<float>(metre), palette_.variant(i)});
+    views_.push_back({&s, frame, domain, static_cast<float>(metre), colour_of(i)});
   }
 }
 
@@ -145,6 +158,9 @@ void Page::collect_footer() {
   has_arrow_key_ = view_.arrows && std::any_of(frame_.panes.begin(), frame_.panes.end(), flat);
   if (view_.arrows && !std::all_of(frame_.panes.begin(), frame_.panes.end(), flat))
     warnings_.emplace_back("view.arrows: arrows are drawn in 2D only");
+  if (sheet_ && sheet_->sparklines()) notes_.push_back("Curves: " + sheet_->sparklines()->label + ".");
+  if (view_.is_sheet() && !view_.sheet.sparkline.empty() && !sheet_->sparklines())
+    warnings_.push_back("view.sparkline: no pane records \"" + view_.sheet.sparkline + "\"");
   for (const Pane& p : frame_.panes)
     for (const std::string& note : p.snapshot->notes)
       if (!contains(notes_, note)) notes_.push_back(note);
@@ -169,7 +185,7 @@ void Page::share_notes() {
 
 /// One line, unless the tables of the ledger are shown: then everything is said.
 std::size_t Page::note_lines() const {
-  const std::size_t lines = tables_ ? most_shared_lines : 1;
+  const std::size_t lines = tables_ ? most_shared_lines : sheet_ && sheet_->sparklines() ? 2 : 1;
   return std::max<std::size_t>(std::min(notes_.size(), lines), has_arrow_key_ ? 1 : 0);
 }
 
@@ -209,6 +225,7 @@ void Page::draw_under(gui::Ink& ink) const {
 void Page::draw_over(gui::Ink& ink) const {
   draw_header(ink);
   for (std::size_t i = 0; i < views_.size(); ++i) draw_pane(ink, i);
+  if (sheet_) sheet_->draw(ink, palette_);
   legend_.draw(ink, layout_.legend, palette_);
   draw_plots(ink, layout_.plots, plots_, frame_, view_.plotting, palette_);
   draw_footer(ink);
@@ -249,9 +266,9 @@ void Page::draw_pane(gui::Ink& ink, std::size_t i) const {
     });
   }
   if (!v.snapshot->watermark.empty()) draw_watermark(ink, v.frame, v.snapshot->watermark, palette_);
-  ink.frame(v.frame, v.colour, std::round(ink.pt(2)), ink.pt(4));
-  ink.text(box.title, titles_.type, palette_.text, titles_.text[i]);
-  if (view_.captions) ink.text(box.caption, Type::small, palette_.muted, caption(ink, i));
+  ink.frame(v.frame, v.colour, std::round(ink.pt(sheet_ ? 1 : 2)), ink.pt(4));
+  if (box.title.w > 0) ink.text(box.title, titles_.type, palette_.text, titles_.text[i]);
+  if (box.caption.w > 0) ink.text(box.caption, Type::small, palette_.muted, caption(ink, i));
   if (layout_.tables < 0) return;
   const LedgerForm& form = ledger_forms_[static_cast<std::size_t>(layout_.tables)];
   draw_ledger(ink, box.table, *v.snapshot, view_.ledger, form,

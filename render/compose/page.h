@@ -4,6 +4,7 @@
 
 #include "render/compose/layout.h"
 #include "render/compose/legend.h"
+#include "render/compose/sheet.h"
 #include "render/compose/titles.h"
 #include "render/views/colour_by.h"
 #include "render/views/domain.h"
@@ -30,6 +31,7 @@ public:
 private:
   void arrange_parts(LayoutRequest& request, const gui::Fonts& fonts);
   void place_domains();
+  [[nodiscard]] Colour colour_of(std::size_t pane) const;
   void collect_footer();
   void share_notes();
   [[nodiscard]] std::size_t note_lines() const;
@@ -53,6 +55,7 @@ private:
   std::vector<std::string> warnings_, notes_;        ///< of all panes
   std::vector<std::vector<std::string>> pane_notes_; ///< where tables are shown: what not all panes say
   std::vector<LedgerForm> ledger_forms_;
+  std::optional<ContactSheet> sheet_; ///< the panes are in one
   Layout layout_;
   std::vector<PaneView> views_;
   FittedTitles titles_;

@@ -49,6 +49,14 @@ TEST(Strip, AnyParameterAgainstAnyOtherAtOneTime) {
   EXPECT_TRUE(read_file(f.path() / "1/drop.png") == read_file(f.path() / "3/drop.png"));
 }
 
+TEST(Strip, HasAsManyPicturesAsASheet) {
+  const Folder f;
+  const Outcome o = run(strip({"--rows", "seeding.seed=1,2,3,4", "--cols", "time.cfl=0.2,0.3,0.4,0.5", "--at", "0.02",
+                               "-o", "strip.png"}),
+                        f.path());
+  EXPECT_EQ(o.code, 0) << o.err;
+}
+
 TEST(Strip, RefusesBeforeItComputes) {
   const Folder f;
   expect_refusal(run(strip({"--rows", "t=0.1", "--cols", "t=0.2"}), f.path()), 2, {"both"});

@@ -65,6 +65,13 @@ render::Frame made(const Snapshot& s) {
   return f;
 }
 
+/// Two rows and three columns, named at the margins.
+render::Frame six_in_a_sheet() {
+  render::Frame f = dam_frame(6);
+  f.sheet = {{"FLIP 0.95", "APIC"}, {"linear", "quadratic", "cubic"}};
+  return f;
+}
+
 /// The last pane makes a mistake.
 render::Frame mistaken(render::Frame f) {
   auto s = std::make_shared<Snapshot>(*f.panes.back().snapshot);
@@ -207,6 +214,12 @@ std::vector<Case> cases() {
       {"mistake_dark", bare, [] { return mistaken(two_dams()); }, 480, 270},
       {"mistake_3d_light", bare_with({"view.theme=light"}), [] { return mistaken(one("dam_3d")); }, 480, 270},
       {"twelve_panes", {"view.panel=cfl,gravity,kernel"}, [] { return dam_frame(12); }, 854, 480},
+      {"sheet_dark", {"view.layout=sheet", "view.sheet_columns=3", "view.show_panel=false"}, six_in_a_sheet, 480, 270},
+      {"sheet_of_titles_light",
+       {"view.layout=sheet", "view.theme=light", "view.show_panel=false", "view.sparkline=kinetic"},
+       [] { return dam_frame(7); },
+       480,
+       270},
   };
 }
 

@@ -2,6 +2,7 @@
 #include "app/study/memory.h"
 #include "app/study/paths.h"
 #include "app/study/resolve.h"
+#include "app/study/sheet_names.h"
 #include "app/study/titles.h"
 #include "sim/core/parallel.h"
 #include "sim/simulation.h"
@@ -159,7 +160,8 @@ TEST(Study, SaysWhereAMistakeIs) {
   for (const auto& [text, message] : cases) EXPECT_EQ(mistake(text), message);
   std::string many;
   for (int i = 0; i < 13; ++i) many += "[[variant]]\nlabel = \"a\"\n";
-  EXPECT_EQ(mistake(many), "s.toml:2:3: a study has 1 to 12 variants, not 13");
+  EXPECT_EQ(mistake(many), "s.toml:2:3: a study has 1 to 12 variants, not 13; with view.layout = \"sheet\" up to 36");
+  EXPECT_EQ(mistake("view.layout = \"sheet\"\n" + many), "no error");
 }
 
 TEST(Study, SaysWhatIsWrongWithItsScene) {
@@ -238,6 +240,40 @@ TEST(Titles, NameTheSolverAndWhatDiffers) {
   EXPECT_EQ(titles({pane(aflip + "transfer.affine = 0.5"), pane(aflip)}),
             (Titles{"AFLIP 1, affine 0.5", "AFLIP 1, affine 1"}));
   EXPECT_EQ(titles({pane("")}), (Titles{"APIC"}));
+}
+
+TEST(MarginNames, SayWhatDiffersFromRowToRowAndFromColumnToColumn) {
+  using Names = std::vector<std::string>;
+  std::vector<TitledPane> panes;
+  for (const char* ratio : {"0", "0.5", "1"})
+    for (const char* kernel : {"linear", "quadratic"})
+      panes.push_back(pane(std::string("transfer.scheme = \"flip\"\ntransfer.flip_ratio = ") + ratio +
+                           "\ntransfer.kernel = \"" + kernel + "\""));
+  EXPECT_EQ(margin_names(panes, 2).rows, (Names{"FLIP 0", "FLIP 0.5", "FLIP 1"}));
+  EXPECT_EQ(margin_names(panes, 2).columns, (Names{"linear", "quadratic"}));
+  EXPECT_EQ(margin_names(panes, 3).rows, Names{}) << "the ratio differs along both";
+  panes[3].label = "mine";
+  EXPECT_EQ(margin_names(panes, 2).rows, Names{}) << "a label says something else";
+}
+
+TEST(MarginNames, PartASchemeFromItsNumber) {
+  using Names = std::vector<std::string>;
+  std::vector<TitledPane> panes;
+  for (const char* scheme : {"pic", "flip", "aflip"})
+    for (const char* ratio : {"0.5", "0.95"})
+      panes.push_back(pane(std::string("transfer.scheme = \"") + scheme + "\"\ntransfer.flip_ratio = " + ratio +
+                           "\ntime.cfl = " + (ratio[2] == '5' ? "0.5" : "0.25")));
+  const MarginNames names = margin_names(panes, 2);
+  EXPECT_EQ(names.rows, (Names{"PIC", "FLIP", "AFLIP"}));
+  EXPECT_EQ(names.columns, (Names{"flip ratio 0.5, CFL 0.5", "flip ratio 0.95, CFL 0.25"}));
+}
+
+TEST(MarginNames, OfOneRowOrOneColumnStandAlone) {
+  const std::vector<TitledPane> panes{pane("transfer.scheme = \"pic\""), pane("")};
+  EXPECT_EQ(margin_names(panes, 2).rows.size(), 0U);
+  EXPECT_EQ(margin_names(panes, 2).columns, (std::vector<std::string>{"PIC", "APIC"}));
+  EXPECT_EQ(margin_names(panes, 1).rows, (std::vector<std::string>{"PIC", "APIC"}));
+  EXPECT_EQ(margin_names(panes, 1).columns.size(), 0U);
 }
 
 } // namespace
