@@ -24,6 +24,15 @@ render::Frame curves_frame(std::size_t panes, const std::vector<MadeCurve>& curv
   return f;
 }
 
+render::Frame emptied(render::Frame frame) {
+  for (render::Pane& p : frame.panes) {
+    auto s = std::make_shared<Snapshot>(*p.snapshot);
+    s->x.clear(), s->v.clear(), s->id.clear(), s->channels.clear();
+    p.snapshot = s;
+  }
+  return frame;
+}
+
 std::vector<MadeCurve> energies() {
   const auto left = [](std::size_t pane, double t) { return std::exp(-(0.3 + 0.25 * static_cast<double>(pane)) * t); };
   return {

@@ -18,6 +18,9 @@ struct MadeCurve {
 /// dam_frame() with these curves at 121 times from 0 to the frame's, and nothing else.
 [[nodiscard]] render::Frame curves_frame(std::size_t panes, const std::vector<MadeCurve>& curves, double until = 0.55);
 
+/// The same panes without their particles, for pictures that are about the plots.
+[[nodiscard]] render::Frame emptied(render::Frame frame);
+
 /// Energies of a pendulum that loses a little, in every pane at another rate, and what it lost.
 [[nodiscard]] std::vector<MadeCurve> energies();
 

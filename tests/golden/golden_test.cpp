@@ -131,16 +131,15 @@ render::Frame fronts() {
                                         return std::min(1.0, 0.4 + (1.0 + 0.25 * static_cast<double>(i)) * t * t * 2);
                                       }}});
   add_references(f, "front");
-  return f;
+  return emptied(f);
 }
 
 /// Every line style at once; the last value of each.
 render::Frame twelve_curves() {
-  return curves_frame(
-      12,
-      {{"total", "J/m",
-        [](std::size_t i, double t) { return 100 * static_cast<double>(i + 1) * (1 + 0.1 * std::sin(20 * t)); }}},
-      0.8);
+  const auto wave = [](std::size_t i, double t) {
+    return 100 * static_cast<double>(i + 1) * (1 + 0.1 * std::sin(20 * t));
+  };
+  return emptied(curves_frame(12, {{"total", "J/m", wave}}, 0.8));
 }
 
 const std::vector<std::string> bare{"view.show_panel=false", "view.plot_height=0", "view.captions=false"};
@@ -193,7 +192,7 @@ std::vector<Case> cases() {
       {"plots_log",
        {"view.show_panel=false", "view.plot_height=0.5", "view.log=transfer_loss,total",
         "view.plots=transfer_loss,total,kinetic"},
-       [] { return curves_frame(4, energies()); },
+       [] { return emptied(curves_frame(4, energies())); },
        854,
        480},
       {"plots_references_light",
@@ -203,7 +202,7 @@ std::vector<Case> cases() {
        480},
       {"plots_shared_axes",
        {"view.show_panel=false", "view.plot_height=0.45", "view.shared_axes=true"},
-       [] { return curves_frame(3, energies()); },
+       [] { return emptied(curves_frame(3, energies())); },
        854,
        480},
       {"plots_twelve_light",
