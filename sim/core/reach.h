@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <vector>
 
 namespace flipbook {
@@ -28,8 +27,8 @@ struct ReachFrame {
   bool to_far_side = false;   ///< the reach is counted from the far end of its axis
 };
 
-/// In metres from the end of the axis `along`; nothing (NaN) where the layer holds fewer than k particles. position(p,
-/// axis) is in metres from the lower corner.
+/// In metres from the end of the axis `along`; 0 where the layer holds fewer than k particles. position(p, axis) is in
+/// metres from the lower corner.
 template <class Position> [[nodiscard]] double reach(const ReachFrame& f, std::size_t particles, Position&& position) {
   std::vector<double> layer;
   const double thick = f.size[static_cast<std::size_t>(f.wall)];
@@ -45,17 +44,17 @@ template <class Position> [[nodiscard]] double reach(const ReachFrame& f, std::s
     across = static_cast<std::size_t>(cells) * cell * cell;
     k = static_cast<std::size_t>(std::ceil(cells / 4)) * cell * cell * cell;
   }
-  if (layer.size() < k) return std::numeric_limits<double>::quiet_NaN();
+  if (layer.size() < k) return 0;
   const auto foremost = layer.begin() + static_cast<std::ptrdiff_t>(k - 1);
   std::nth_element(layer.begin(), foremost, layer.end(), std::greater<>());
   const double rows = std::ceil(static_cast<double>(k) / static_cast<double>(across));
   return *foremost + (rows - 0.5) * f.dx / f.per_axis;
 }
 
-/// The two curves that every run with a floor and walls beside it has; NaN where they mean nothing.
+/// The two curves that every run with a floor and walls beside it has.
 struct DamReach {
-  double front = std::numeric_limits<double>::quiet_NaN();  ///< on the floor along x, from the lower wall
-  double height = std::numeric_limits<double>::quiet_NaN(); ///< at that wall, from the floor
+  double front = 0;  ///< on the floor along x, from the lower wall
+  double height = 0; ///< at that wall, from the floor
 };
 
 /// `up`: against gravity, along an axis. x is the first axis that is not up.

@@ -58,8 +58,8 @@ TEST(Reach, FollowsThinLayers) {
 }
 
 TEST(Reach, IsNothingWithoutLiquidOnTheWall) {
-  EXPECT_TRUE(std::isnan(reached(2, {{0.5, 0.5, 0}}).front));
-  EXPECT_TRUE(std::isnan(reached(2, {}).height));
+  EXPECT_EQ(reached(2, {{0.5, 0.5, 0}}).front, 0);
+  EXPECT_EQ(reached(2, {}).height, 0);
 }
 
 /// The same column turned: gravity along -x, then upwards.
