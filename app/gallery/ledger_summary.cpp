@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t first_quantity = 5, stage_column = 4;
 constexpr double rounding = 2e-6; // of a sum of some thousand steps in single precision
+constexpr std::string_view free_faces = "free_faces";
 constexpr std::string_view first_columns = "variant,frame,substep,t (";
 
 /// What one line says, summed over columns of the same kind.
@@ -123,6 +124,7 @@ Table summarise_ledger(std::istream& csv) {
   if (!std::getline(csv, line) || !line.starts_with(first_columns)) return {};
   const Columns columns(csv_fields(line));
   std::vector<Run> runs;
+  bool free_surface = false;
   while (std::getline(csv, line)) {
     const std::vector<std::string> fields = csv_fields(line);
     if (fields.size() != columns.size() || fields.size() <= first_quantity) continue;
@@ -130,18 +132,17 @@ Table summarise_ledger(std::istream& csv) {
     if (run == runs.end()) run = runs.insert(run, Run{.title = fields[0]});
     const std::string& stage = fields[stage_column];
     if (stage == "particles") run->holds(columns.read(fields));
-    if (stage == "p2g" || stage == "g2p") run->transferred(columns.read(fields));
+    if (stage == "p2g" || stage == free_faces || stage == "g2p") run->transferred(columns.read(fields));
+    free_surface = free_surface || stage == free_faces;
   }
   if (runs.empty()) return {};
-  Table table{.caption = "What each pane kept, and what its transfers (P2G and G2P) changed",
+  Table table{.caption = "What each pane kept, and what its transfers changed",
               .head = {"", "energy kept", "transfers: energy", "transfers: momentum", "transfers: angular momentum"},
               .rows = {}};
-  for (const Run& r : runs) {
-    table.rows.push_back(r.row());
-    if (r.momentum_share() > rounding)
-      table.note =
-          "Where the transfers change momentum, FLIP's share of G2P gives back what the stage \"free faces\" took.";
-  }
+  for (const Run& r : runs) table.rows.push_back(r.row());
+  table.note = free_surface
+                   ? "Transfers: P2G, G2P and, at the free surface, the faces between them that touch no liquid."
+                   : "Transfers: P2G and G2P.";
   return table;
 }
 

@@ -2,12 +2,13 @@
 // What a ledger's CSV file (app/session/ledger_file.h) says of a whole run, a row for each variant:
 //
 //   energy kept                  E(end) / E(start), E = kinetic + potential + elastic
-//   transfers: energy            sum of what P2G and G2P changed of E, over E(start)
-//   transfers: momentum          |sum of what P2G and G2P changed of p| / (m v), v = sqrt(2 E / m) with the greatest E
-//   transfers: angular momentum  |sum of what P2G and G2P changed of L| / max |L|
+//   transfers: energy            sum of what they changed of E, over E(start)
+//   transfers: momentum          |sum of what they changed of p| / (m v), v = sqrt(2 E / m) with the greatest E
+//   transfers: angular momentum  |sum of what they changed of L| / max |L|
 //
-// The last two are 0 to rounding where the transfers conserve them. FLIP's share of G2P gives back what the stage "free
-// faces" took of momentum (sim/fluid/fluid_ledger.h): a note says so where momentum changes.
+// Transfers are P2G, G2P and the stage between them that extrapolates over faces which touch no liquid ("free faces"):
+// FLIP gives back what that took, so that one without the other says nothing. Where it acted a note says so. Without a
+// free surface the last two are 0 to rounding for schemes that conserve.
 #pragma once
 
 #include "app/gallery/piece.h"

@@ -2,6 +2,7 @@
 // The summary of a ledger, from tables whose sums are known.
 #include "app/gallery/ledger_summary.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -20,18 +21,19 @@ Table of(const std::string& rows) {
   return summarise_ledger(csv);
 }
 
-/// E from 80 to 60 = 75 %; P2G and G2P take 8 + 4 of 80 = 15 %; |dp| = |(3, 4)| = 5 of m v = 2 sqrt(2 80 / 2);
-/// |dL| = 0.5 of at most 4.
+/// E from 80 to 60 = 75 %; P2G, free faces and G2P take 8 + 6 - 2 of 80 = 15 %; |dp| = |(3, 4)| = 5 of m v = 2 sqrt(2
+/// 80 / 2); |dL| = 0.5 of at most 4.
 TEST(LedgerSummary, AddsUpWhatTheTransfersDid) {
   const Table t = of("PIC,0,0,0,particles,2,0,0,1,50,30\n"
                      "PIC,1,1,0.1,particles,2,3,4,-4,40,20\n"
                      "PIC,1,1,0.1,p2g,0,1,2,0.25,-8,0\n"
+                     "PIC,1,1,0.1,free_faces,0,4,4,1,-6,0\n"
                      "PIC,1,1,0.1,forces,0,5,5,5,-4,-10\n"
-                     "PIC,1,1,0.1,g2p,0,2,2,0.25,-4,0\n");
+                     "PIC,1,1,0.1,g2p,0,-2,-2,-0.75,2,0\n");
   ASSERT_EQ(t.rows.size(), 1U);
   EXPECT_EQ(t.rows[0], (Words{"PIC", "75.0 %", "\u221215.0 %", share(5 / (2 * std::sqrt(80.0))), "12.5 %"}));
   EXPECT_EQ(t.head.size(), t.rows[0].size());
-  EXPECT_NE(t.note, "") << "where momentum comes from";
+  EXPECT_THAT(t.note, ::testing::HasSubstr("free surface"));
 }
 
 TEST(LedgerSummary, KeepsVariantsApart) {
@@ -42,7 +44,7 @@ TEST(LedgerSummary, KeepsVariantsApart) {
   EXPECT_EQ(t.rows[0][1], "50.0 %");
   EXPECT_EQ(t.rows[1][0], "B, \"b\"");
   EXPECT_EQ(t.rows[1][1], "25.0 %");
-  EXPECT_EQ(t.note, "");
+  EXPECT_EQ(t.note, "Transfers: P2G and G2P.");
   EXPECT_EQ(t.rows[1][4], "not defined") << "a periodic axis";
 }
 
