@@ -11,13 +11,13 @@
 
 namespace flipbook::app::gallery {
 
-/// Rows under one line of headings. The first column names its row.
+/// Rows under one line of headings, as wide as that. The first column names its row; a row of two where the head has
+/// more says the same for all.
 struct Table {
   std::string caption;
   std::vector<std::string> head;
-  std::vector<std::vector<std::string>>
-      rows; ///< as wide as the head; a row of one more than its name: the same for all
-  std::string note = {};                      ///< below it
+  std::vector<std::vector<std::string>> rows;
+  std::string note = {}; ///< below it
 
   [[nodiscard]] bool empty() const { return rows.empty(); }
 };

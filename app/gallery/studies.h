@@ -12,7 +12,8 @@
 
 namespace flipbook::app::gallery {
 
-/// Where the entry chooses the panes itself, a name is first that of a scene, as for flipbook compare. Throws UserError.
+/// Where the entry chooses the panes itself, a name is first that of a scene, as for flipbook compare. Throws
+/// UserError.
 [[nodiscard]] Study study_of(const Entry& entry, const std::vector<Assignment>& all);
 /// With other parameters over it, as --set would.
 [[nodiscard]] Study with(Study study, const std::vector<Assignment>& changes);
