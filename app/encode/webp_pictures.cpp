@@ -3,6 +3,8 @@
 
 #include "app/encode/ffmpeg.h"
 
+#include <cmath>
+
 namespace flipbook::app {
 
 namespace {
@@ -12,6 +14,10 @@ Words codec(const VideoSettings& s) {
 }
 
 } // namespace
+
+int picture_quality(int crf) {
+  return static_cast<int>(std::lround(100 - 1.4 * crf));
+}
 
 std::unique_ptr<Sink> webp_pictures(const std::filesystem::path& folder, const std::string& prefix,
                                     const VideoSettings& s) {
