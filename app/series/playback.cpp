@@ -8,6 +8,7 @@
 #include "sim/frame/curves.h"
 #include "sim/frame/errors.h"
 #include "sim/frame/particle_order.h"
+#include "sim/frame/trails.h"
 #include "sim/scene/read_scene.h"
 
 #include <algorithm>
@@ -108,6 +109,7 @@ private:
   std::map<std::uint32_t, std::shared_ptr<const TriangleMesh>> surfaces_; ///< by id
   FirstPlaces first_places_;
   ChannelRanges ranges_;
+  Trails trails_;
 };
 
 void Playback::describe(std::uint64_t frame, Snapshot& s) {
@@ -194,6 +196,7 @@ std::shared_ptr<const Snapshot> Playback::snapshot(std::uint64_t frame, const Fr
     s->channels.push_back(channel(name, rows, *s));
   }
   sort_particles(*s);
+  trails_.follow(*s, request.trails);
   return s;
 }
 

@@ -240,10 +240,18 @@ bool Timeline::moves(const std::string& path) const {
   return std::any_of(tracks_.begin(), tracks_.end(), [&](const Track& t) { return t.path == path; });
 }
 
+/// Those of `other` that are not in the list yet.
+static void merge(std::vector<std::string>& list, const std::vector<std::string>& other) {
+  for (const std::string& name : other)
+    if (std::find(list.begin(), list.end(), name) == list.end()) list.push_back(name);
+}
+
 void merge(FrameRequest& request, const FrameRequest& other) {
-  for (const std::string& name : other.channels)
-    if (std::find(request.channels.begin(), request.channels.end(), name) == request.channels.end())
-      request.channels.push_back(name);
+  merge(request.channels, other.channels);
+  merge(request.fields, other.fields);
+  request.surface = request.surface || other.surface;
+  request.cells = request.cells || other.cells;
+  request.trails = std::max(request.trails, other.trails);
   request.faces = request.faces || other.faces;
   request.phi = request.phi || other.phi;
   request.pressure = request.pressure || other.pressure;

@@ -74,6 +74,7 @@ std::shared_ptr<const Snapshot> Recorder<Dim, Real>::snapshot(const FluidState<D
   for (const std::string& name : request.channels) s->channels.push_back(channel(state, name, pool));
   sort_particles(*s, pool);
   s->lattices = lattices(state, request, pool);
+  trails_.follow(*s, request.trails);
   if (ledger) {
     append(history_, state.time, history_row(state, *ledger, request.noise, pool));
     s->history = std::make_shared<History>(history_);

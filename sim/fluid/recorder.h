@@ -6,6 +6,7 @@
 #include "sim/fluid/solid_surfaces.h"
 #include "sim/frame/curves.h"
 #include "sim/frame/snapshot.h"
+#include "sim/frame/trails.h"
 
 #include <string>
 
@@ -32,6 +33,7 @@ private:
   std::vector<std::array<float, 3>> initial_;
   ChannelRanges ranges_;
   History history_;
+  Trails trails_;
   SolidSurfaces surfaces_;
 };
 

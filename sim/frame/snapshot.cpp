@@ -98,6 +98,12 @@ template <class Archive> void fields(Archive& a, LedgerTable::Account& account) 
   a.field("changes", account.changes);
 }
 
+template <class Archive> void fields(Archive& a, TrailPoints& t) {
+  a.field("time", t.time);
+  a.field("ids", t.id);
+  a.field("places", t.x);
+}
+
 template <class Archive, class T> void each(Archive& a, std::string_view name, std::vector<T>& list) {
   a.length(name, list);
   for (T& x : list) fields(a, x);
@@ -122,6 +128,7 @@ template <class Archive> void fields(Archive& a, LedgerTable& l) {
 struct Parts {
   History history;
   LedgerTable ledger;
+  std::vector<TrailPoints> trails;
   bool has_history = false, has_ledger = false;
 };
 
@@ -168,6 +175,9 @@ template <class Archive> void fields(Archive& a, Snapshot& s, Parts& parts) {
   bool counts = s.time_unit != "s";
   a.optional("time_unit", counts);
   if (counts) a.field("unit", s.time_unit);
+  bool trailing = !parts.trails.empty();
+  a.optional("trails", trailing);
+  if (trailing) each(a, "rows", parts.trails);
 }
 
 using Require = std::function<void(bool, const std::string&)>;
@@ -202,6 +212,7 @@ void check(const Snapshot& s, const std::string& path) {
       require(n >= 1 && n <= 1 << 20, "lattice \"" + l.name + "\" has an impossible size");
       samples *= static_cast<std::size_t>(n);
     }
+    require(l.dx > 0 && std::isfinite(l.dx), "lattice \"" + l.name + "\" must have a positive dx");
     require(l.values.size() == samples, "lattice \"" + l.name + "\" must hold " + std::to_string(samples) + " numbers");
   }
   const auto finite = [](const auto& list) {
@@ -220,6 +231,9 @@ void check(const Snapshot& s, const std::string& path) {
                 m.outline.size() % 2 == 0 && std::all_of(m.outline.begin(), m.outline.end(), known),
             "a solid's triangles and outline must name its vertices");
   }
+  for (const auto& t : s.trails)
+    require(t->x.size() == 2 * t->id.size() && std::is_sorted(t->id.begin(), t->id.end()),
+            "trails must hold two numbers for each particle, by ascending id");
   if (!s.history) return;
   for (const History::Column& c : s.history->columns)
     require(c.y.size() == s.history->t.size(), "curve \"" + c.name + "\" must be as long as its times");
@@ -236,6 +250,7 @@ std::size_t Snapshot::bytes() const {
                     heap(solids); // not their surfaces, which all snapshots of a run share
   for (const Channel& c : channels) sum += sizeof c + heap(c.values);
   for (const LatticeData& l : lattices) sum += sizeof l + heap(l.values);
+  sum += heap(trails); // not their points, which the snapshots of a run share
   if (history) {
     sum += sizeof *history + heap(history->t);
     for (const History::Column& c : history->columns) sum += sizeof c + heap(c.y);
@@ -253,6 +268,7 @@ void save_snapshot(const Snapshot& s, const std::string& path) {
   Parts parts;
   if ((parts.has_history = s.history != nullptr)) parts.history = *s.history;
   if ((parts.has_ledger = s.ledger != nullptr)) parts.ledger = *s.ledger;
+  for (const auto& t : s.trails) parts.trails.push_back(*t);
   TextWriter writer;
   writer.text.append(magic).append("\n");
   fields(writer, copy, parts);
@@ -282,6 +298,7 @@ Snapshot load_snapshot(const std::string& path) {
   reader.end();
   if (parts.has_history) s.history = std::make_shared<History>(std::move(parts.history));
   if (parts.has_ledger) s.ledger = std::make_shared<LedgerTable>(std::move(parts.ledger));
+  for (TrailPoints& t : parts.trails) s.trails.push_back(std::make_shared<TrailPoints>(std::move(t)));
   check(s, path);
   return s;
 }

@@ -48,12 +48,24 @@ struct History {
   std::vector<Column> columns;
 };
 
+/// Where some of the particles were at an earlier frame, or are at this one.
+struct TrailPoints {
+  double time = 0;
+  std::vector<std::uint32_t> id; ///< ascending
+  std::vector<float> x;          ///< two numbers for each
+};
+
 /// Which data the views of this run read. Positions and velocities are always published.
 struct FrameRequest {
   std::vector<std::string> channels; ///< particle colours by name
   bool faces = false;                ///< face velocities u, v(, w) as lattices
   bool phi = false, pressure = false;
   bool noise = false; ///< the RMS of |v_p - u(x_p)| as a curve, which costs a transfer at each frame
+  /// Quantities as lattices too, by name, from solvers that have them on their grid: "speed", "vorticity" ...
+  std::vector<std::string> fields{};
+  bool surface = false; ///< the level set around the particles where they are now, as "surface"
+  bool cells = false;   ///< what the next step takes each cell for, as "cells": 0 air, 1 liquid, 2 solid
+  double trails = 0;    ///< seconds (2D)
 };
 
 struct Snapshot {
@@ -89,6 +101,8 @@ struct Snapshot {
   std::vector<Channel> channels;
   std::vector<LatticeData> lattices;
   std::vector<Solid> solids; ///< in the same coordinates as x
+  /// Ways of some particles, oldest points first; those of the last have the time of this frame.
+  std::vector<std::shared_ptr<const TrailPoints>> trails;
   std::shared_ptr<const History> history;
   std::shared_ptr<const LedgerTable> ledger; ///< none where ledger.on is false or the solver keeps none
 

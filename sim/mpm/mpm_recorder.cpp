@@ -164,6 +164,7 @@ std::shared_ptr<const Snapshot> MpmRecorder<Dim, Real>::snapshot(const MpmState<
   for (const std::string& name : request.channels) s->channels.push_back(channel(state, name, pool));
   sort_particles(*s, pool);
   if (request.faces) s->lattices = lattices(state, pool);
+  trails_.follow(*s, request.trails);
   if (ledger) {
     append(history_, state.time, history_row(state, *ledger, request.noise, pool));
     s->history = std::make_shared<History>(history_);

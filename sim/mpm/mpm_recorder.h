@@ -14,6 +14,7 @@
 
 #include "sim/fluid/solid_surfaces.h"
 #include "sim/frame/curves.h"
+#include "sim/frame/trails.h"
 #include "sim/mpm/mpm_channels.h"
 #include "sim/mpm/mpm_ledger.h"
 
@@ -43,6 +44,7 @@ private:
   MpmStart start_;
   ChannelRanges ranges_;
   History history_;
+  Trails trails_;
   SolidSurfaces surfaces_;
 };
 

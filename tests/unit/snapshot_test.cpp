@@ -91,6 +91,8 @@ Snapshot example() {
   s.solids[1] = {s.solids[0].surface, {{0, 1, 0, -1, 0, 0, 0, 0, 1}, {0.1, 0.2, 0.3}}};
   s.history = std::make_shared<History>(History{{0, 0.5F}, {{"kinetic", "J", {1, 2}}, {"total", "J", {3, 4}}}});
   s.ledger = std::make_shared<LedgerTable>(example_ledger());
+  s.trails = {std::make_shared<TrailPoints>(TrailPoints{0.1, {3}, {0.5F, 0.25F}}),
+              std::make_shared<TrailPoints>(TrailPoints{0.3, {3, 8}, {1, 2, 3, 1e-7F}})};
   return s;
 }
 
@@ -169,6 +171,32 @@ TEST(SnapshotFile, HoldsEveryFieldExactly) {
   EXPECT_EQ(b.history->columns[1].y, a.history->columns[1].y);
   EXPECT_EQ(b.history->columns[0].name, "kinetic");
   EXPECT_EQ(b.history->columns[0].unit, "J");
+}
+
+TEST(SnapshotFile, HoldsTrailsAndRefusesImpossibleOnes) {
+  const TemporaryFile file("snapshot.txt");
+  Snapshot a = example();
+  save_snapshot(a, file.path());
+  const Snapshot b = load_snapshot(file.path());
+  ASSERT_EQ(b.trails.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(b.trails[i]->time, a.trails[i]->time);
+    EXPECT_EQ(b.trails[i]->id, a.trails[i]->id);
+    EXPECT_EQ(b.trails[i]->x, a.trails[i]->x);
+  }
+  for (const TrailPoints& wrong : {TrailPoints{0, {3}, {0.5F}}, TrailPoints{0, {8, 3}, {0, 0, 0, 0}}}) {
+    a.trails = {std::make_shared<TrailPoints>(wrong)};
+    save_snapshot(a, file.path());
+    EXPECT_THROW((void)load_snapshot(file.path()), UserError);
+  }
+}
+
+TEST(SnapshotFile, RefusesALatticeWithoutASpacing) {
+  const TemporaryFile file("snapshot.txt");
+  Snapshot s = example();
+  s.lattices[0].dx = 0;
+  save_snapshot(s, file.path());
+  EXPECT_THROW((void)load_snapshot(file.path()), UserError);
 }
 
 TEST(SnapshotFile, HoldsTheLedgerExactly) {
