@@ -10,12 +10,14 @@ namespace flipbook::render {
 
 std::span<const ColourQuantity> colour_quantities() {
   using enum MapKind;
-  static constexpr std::array<ColourQuantity, 17> list{{
+  static constexpr std::array<ColourQuantity, 18> list{{
       {"speed", "speed", "magnitude of the velocity", "m/s", sequential},
       {"velocity_x", "velocity, x", "first component of the velocity", "m/s", diverging},
       {"velocity_y", "velocity, y", "second component of the velocity", "m/s", diverging},
       {"velocity_z", "velocity, z", "third component of the velocity (3D)", "m/s", diverging},
       {"pressure", "pressure", "pressure at the particle", "Pa", sequential},
+      {"divergence", "divergence", "divergence of the grid's velocity at the end of the step, after the projection",
+       "1/s", diverging},
       {"vorticity", "vorticity", "curl of the velocity at the particle", "1/s", diverging},
       {"initial_x", "initial x", "where the particle began, first axis", "m", sequential},
       {"initial_y", "initial y", "where the particle began, second axis", "m", sequential},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/fluid/channels.h"
 
-#include "sim/core/cross.h"
+#include "sim/fluid/fields.h"
 #include "sim/fluid/publish.h"
 #include "sim/transfer/transfer.h"
 
@@ -9,48 +9,6 @@
 
 namespace flipbook {
 namespace {
-
-/// Multilinear interpolation of a lattice with the given origin (in cells).
-template <int Dim, class Real>
-Real sample(const Grid<Dim>& grid, const Vec<Dim, Real>& origin, const Field<Real>& f, const Vec<Dim, Real>& x) {
-  Index<Dim> base;
-  Vec<Dim, Real> fraction;
-  for (int d = 0; d < Dim; ++d) {
-    const Real q = grid_position(x[d], static_cast<Real>(1 / grid.dx)) - origin[d];
-    base[d] = static_cast<int>(q);
-    fraction[d] = q - static_cast<Real>(base[d]);
-  }
-  Real sum = 0;
-  for (int corner = 0; corner < 1 << Dim; ++corner) {
-    Real weight = 1;
-    std::ptrdiff_t at = grid.at(base);
-    for (int d = 0; d < Dim; ++d) {
-      const bool upper = corner >> d & 1;
-      weight *= upper ? fraction[d] : 1 - fraction[d];
-      if (upper) at += grid.stride(d);
-    }
-    sum += weight * f[static_cast<std::size_t>(at)];
-  }
-  return sum;
-}
-
-/// curl u on the edges of the cells (2D: on the nodes), where the MAC faces give it by one difference on each axis.
-template <int Dim, class Real> std::array<Field<Real>, spin<Dim>> curl(const FluidState<Dim, Real>& s, Pool& pool) {
-  std::array<Field<Real>, spin<Dim>> w;
-  for (auto& f : w) f.assign(static_cast<std::size_t>(s.grid.size()), Real(0));
-  const Real inverse_dx = static_cast<Real>(1 / s.grid.dx);
-  const Box<Dim> box{Index<Dim>::Ones(), s.grid.extent()};
-  for (int a = 0; a < Dim; ++a)
-    for (int b = 0; b < Dim; ++b) {
-      if (a == b) continue; // omega_c += sign du_b/dx_a, e_a x e_b = sign e_c
-      Field<Real>& f = w[static_cast<std::size_t>(cross_axis<Dim>(a, b))];
-      const Field<Real>& u = s.u[static_cast<std::size_t>(b)];
-      const Real sign = static_cast<Real>(cross_sign<Dim>(a, b)) * inverse_dx;
-      const auto stride = static_cast<std::size_t>(s.grid.stride(a));
-      each_in(s.grid, box, pool, [&](const Index<Dim>&, std::size_t at) { f[at] += sign * (u[at] - u[at - stride]); });
-    }
-  return w;
-}
 
 /// 2D: omega_z; 3D: |omega|.
 template <int Dim, class Real> std::vector<float> vorticity(const FluidState<Dim, Real>& s, Pool& pool) {
@@ -69,11 +27,11 @@ template <int Dim, class Real> std::vector<float> vorticity(const FluidState<Dim
   });
 }
 
-template <int Dim, class Real> std::vector<float> pressure(const FluidState<Dim, Real>& s, Pool& pool) {
-  Field<Real> p(s.p.begin(), s.p.end());
-  s.walls.pad_cells(p);
-  return for_each_particle(s.particles.size(), pool, [&](std::size_t i) {
-    return sample(s.grid, Vec<Dim, Real>(Vec<Dim, Real>::Constant(Real(0.5))), p, s.particles.position(i));
+/// A quantity at cell centres, at the particles.
+template <int Dim, class Real>
+std::vector<float> at_particles(const FluidState<Dim, Real>& s, const Field<Real>& f, Pool& pool) {
+  return for_each_particle(s.particles.size(), pool, [&](std::size_t p) {
+    return sample(s.grid, Vec<Dim, Real>(Vec<Dim, Real>::Constant(Real(0.5))), f, s.particles.position(p));
   });
 }
 
@@ -97,7 +55,10 @@ template <int Dim, class Real> struct List {
          }},
         {"velocity_x", "m/s", true, velocity<0>},
         {"velocity_y", "m/s", true, velocity<1>},
-        {"pressure", "Pa", false, [](const State& s, const Initial&, Pool& pool) { return pressure(s, pool); }},
+        {"pressure", "Pa", false,
+         [](const State& s, const Initial&, Pool& pool) { return at_particles(s, pressure_field(s, pool), pool); }},
+        {"divergence", "1/s", true,
+         [](const State& s, const Initial&, Pool& pool) { return at_particles(s, divergence_field(s, pool), pool); }},
         {"vorticity", "1/s", Dim == 2, [](const State& s, const Initial&, Pool& pool) { return vorticity(s, pool); }},
         {"initial_x", "m", false, started_at<0>},
         {"initial_y", "m", false, started_at<1>},
@@ -144,6 +105,7 @@ std::vector<LatticeData> lattices(const FluidState<Dim, Real>& s, const FrameReq
                               component_origin<Dim, double>(Layout::mac, a), s.u[static_cast<std::size_t>(a)], pool));
   if (request.phi) found.push_back(lattice(s.grid, cells_of(s.grid), "phi", centre, s.phi, pool));
   if (request.pressure) found.push_back(lattice(s.grid, cells_of(s.grid), "p", centre, s.p, pool));
+  for (LatticeData& l : image_lattices(s, request, pool)) found.push_back(std::move(l));
   return found;
 }
 

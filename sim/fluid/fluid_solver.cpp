@@ -2,7 +2,7 @@
 #include "sim/fluid/fluid_solver.h"
 
 #include "sim/core/check_finite.h"
-#include "sim/fluid/level_set.h"
+#include "sim/fluid/liquid.h"
 #include "sim/fluid/spacing.h"
 #include "sim/transfer/transfer.h"
 
@@ -158,12 +158,7 @@ template <int Dim, class Real> void FluidSolver<Dim, Real>::find_liquid() {
   Timed timed(profile_, Phase::sort);
   sort_by_cell(s.particles, s.grid, s.order, pool_);
   timed.turn(Phase::level_set);
-  const double radius = particle_radius<Dim>(s.grid.dx, s.settings.seeding.per_axis);
-  level_set(s.grid, s.walls, s.particles, s.order, radius, s.phi, pool_);
-  s.solids.extend(s.walls, s.phi);
-  const Surface surface = s.settings.fluid.surface;
-  s.cells.classify(surface, s.grid, s.walls, s.order, s.phi, pool_,
-                   surface == Surface::voxel ? s.solids.wet(s.walls, s.order) : std::vector<std::size_t>{});
+  flipbook::find_liquid(s.settings, s.grid, s.walls, s.solids, s.particles, s.order, s.phi, s.cells, pool_);
   s.cells.mark_ballistic(s.grid, s.order, s.ballistic, pool_);
 }
 

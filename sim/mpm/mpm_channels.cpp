@@ -61,6 +61,13 @@ template <int Dim, class Real> struct List {
   }
   static float spokes(const State& s, const MpmStart& start, std::size_t p) { return start.spokes[s.particles.id[p]]; }
   static std::uint32_t id(const State& s, const MpmStart&, std::size_t p) { return s.particles.id[p]; }
+  static std::vector<float> divergence(const State& s, const MpmStart&, Pool& pool) {
+    return with_kernel(s.kernel(), [&](auto k) {
+      const Interpolator<decltype(k), Dim, Real> u(Layout::nodes, s.grid, s.u);
+      return for_each_particle(s.particles.size(), pool,
+                               [&](std::size_t p) { return u.gradient(s.particles.position(p)).trace(); });
+    });
+  }
   static std::vector<float> noise(const State& s, const MpmStart&, Pool& pool) { return noise_of(s, pool); }
 
   static inline const std::vector<Source> channels = [] {
@@ -69,6 +76,7 @@ template <int Dim, class Real> struct List {
                              {"velocity_y", "m/s", true, each<velocity<1>>},
                              {"J", "", false, each<J>},
                              {"pressure", "Pa", true, each<pressure>},
+                             {"divergence", "1/s", true, divergence},
                              {"von_mises", "Pa", false, each<mises>},
                              {"plastic", "", false, each<plastic>},
                              {"material", "", false, each<material>},

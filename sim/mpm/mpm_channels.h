@@ -4,6 +4,7 @@
 //
 //   J          det F, the volume over that at the start; of what flowed plastically the elastic part alone
 //   pressure   p = -tr sigma / Dim (Pa), positive where the material is compressed; sigma = tau / J, the Cauchy stress
+//   divergence div u of the grid at the end of the step (1/s), where the particle is: the rate at which it expands
 //   von_mises  sqrt(3/2 s : s) (Pa), s = sigma + p I. In 2D, plane strain, s is the deviator of the stress in the
 //   plane:
 //              what the third axis carries is not known here, and a uniaxial stress q reads sqrt(3)/2 q

@@ -27,6 +27,15 @@ template <int Dim, class Real> std::vector<float> vorticity(const TripState<Dim,
   });
 }
 
+/// Divergence of the grid's velocity.
+template <int Dim, class Real> std::vector<float> divergence(const TripState<Dim, Real>& s, Pool& pool) {
+  return with_kernel(s.kernel(), [&](auto k) {
+    const Interpolator<decltype(k), Dim, Real> u(s.layout(), s.grid, s.u);
+    return for_each_particle(s.particles.size(), pool,
+                             [&](std::size_t p) { return u.gradient(s.particles.position(p)).trace(); });
+  });
+}
+
 template <int Dim, class Real> struct Source {
   std::string name, unit;
   bool diverging;
@@ -44,6 +53,7 @@ template <int Dim, class Real> std::vector<Source<Dim, Real>> sources() {
   std::vector<Source<Dim, Real>> list{
       {"speed", "m/s", false, each([](const State& s, std::size_t p) { return s.particles.velocity(p).norm(); })},
       {"vorticity", "1/s", Dim == 2, vorticity<Dim, Real>},
+      {"divergence", "1/s", true, divergence<Dim, Real>},
       {"residual", "m/s", false, each([](const State& s, std::size_t p) {
          Vec<Dim, Real> start;
          for (int d = 0; d < Dim; ++d) start[d] = s.v_start[static_cast<std::size_t>(d)][p];

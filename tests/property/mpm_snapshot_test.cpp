@@ -41,8 +41,8 @@ TEST(MpmChannels, EachHasAValueForEachParticle) {
   for (const int dim : {2, 3}) {
     FrameRequest request;
     request.channels = channel_names(dim);
-    EXPECT_THAT(request.channels, testing::IsSupersetOf({"speed", "J", "pressure", "von_mises", "plastic", "material",
-                                                         "spokes", "initial_x", "id", "noise"}));
+    EXPECT_THAT(request.channels, testing::IsSupersetOf({"speed", "J", "pressure", "divergence", "von_mises", "plastic",
+                                                         "material", "spokes", "initial_x", "id", "noise"}));
     const auto check = [&](const Snapshot& s, std::size_t count) {
       ASSERT_EQ(s.channels.size(), request.channels.size());
       for (const Channel& c : s.channels) {
