@@ -15,7 +15,7 @@ void ViewSettings::describe(ParameterVisitor& v) {
   v.group("view", [&] {
     v.choice({.name = "theme", .help = "Colours of the page."}, theme, themes);
     look.describe(v);
-    v.choice({.name = "colour", .help = "What particles are coloured by."}, colour, colour_options());
+    v.choice({.name = "colour", .help = "What particles and fields are coloured by."}, colour, colour_options());
     v.choice({.name = "map", .help = "The colour map."}, map, colour_map_options());
     v.reals(
         {.name = "range",
@@ -89,6 +89,10 @@ FrameRequest ViewSettings::request() const {
   r.faces = arrows;
   r.noise = is_sheet() ? sheet.sparkline == "noise"
                        : plot_height > 0 && std::find(plots.begin(), plots.end(), "noise") != plots.end();
+  if (look.style == Style::field && q.kind != MapKind::cyclic && !q.names) r.fields.emplace_back(q.name);
+  r.surface = look.needs_surface();
+  r.cells = look.cell_types || (arrows && look.arrows_at == ArrowsAt::faces);
+  r.trails = look.trails;
   return r;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands for the particles in a pane: the settings below `view.` that 2D and 3D views share.
+// What stands for the particles in a pane, and what of the grid is drawn with them: settings below `view.`.
 #pragma once
 
 #include "sim/frame/parameters.h"
@@ -12,10 +12,21 @@ enum class Style {
   surface, ///< the liquid as one body with an outline; in 3D its lit surface
 };
 
+enum class ArrowsAt {
+  cells, ///< the velocity in the middle of cells
+  faces, ///< one component on each MAC face, or the velocity at the nodes of the material point method
+};
+
 struct LookSettings {
   Style style = Style::discs;
+  bool outline = false; ///< over discs and fields
+  ArrowsAt arrows_at = ArrowsAt::cells;
+  bool cell_types = false;
+  double trails = 0; ///< seconds; 0: none
 
   void describe(ParameterVisitor& v);
+  /// Is the outline of the liquid drawn, or anything that it cuts off?
+  [[nodiscard]] bool needs_surface() const { return style != Style::discs || outline; }
 };
 
 } // namespace flipbook::render

@@ -85,6 +85,8 @@ const Case command_lines[] = {
     {"panel", with({"render", "dam_break", "--set", "view.panel=flip_rato"}, tiny), {"\"transfer.flip_ratio\""}},
     {"plots", with({"render", "dam_break", "--set", "view.plots=kinetik"}, tiny), {"\"kinetic\""}},
     {"log", with({"render", "dam_break", "--set", "view.log=kinetik"}, tiny), {"view.log", "\"kinetic\""}},
+    {"style", with({"render", "dam_break", "--set", "view.style=feild"}, tiny), {"view.style", "\"field\""}},
+    {"trails", with({"render", "dam_break", "--set", "view.trails=-1"}, tiny), {"view.trails", "0"}},
     {"range", with({"render", "dam_break", "--set", "view.range=2,1"}, tiny), {"view.range", "from 2 to 1"}},
     {"size", {"render", "dam_break", "--size", "x"}, {"--size x", "1280x720"}},
     {"size_half", {"render", "dam_break", "--size", "1280x"}, {"--size 1280x", "1280x720"}},

@@ -168,6 +168,17 @@ TEST(Timeline, MovesTheViewAndAsksForAllThatItWillShow) {
   EXPECT_FALSE(request.noise);
 }
 
+TEST(Timeline, AsksForTheLatticesAndTrailsThatKeysShow) {
+  const Resolved r = with_keys("[[key]]\nt = 0.5\nview.style = \"field\"\nview.colour = \"pressure\"\n"
+                               "[[key]]\nt = 1\nover = 1\nview.trails = 0.5\nview.cell_types = true\n");
+  const FrameRequest request = r.request();
+  EXPECT_EQ(request.fields, (std::vector<std::string>{"pressure"}));
+  EXPECT_TRUE(request.surface);
+  EXPECT_TRUE(request.cells);
+  EXPECT_EQ(request.trails, 0.5);
+  EXPECT_FALSE(with_keys("").request().surface);
+}
+
 TEST(Timeline, AsksForTheNoiseThatAKeyPlots) {
   const Resolved r = with_keys("[[key]]\nt = 1\nview.plots = [\"noise\"]\nview.ledger = \"step\"\n");
   EXPECT_TRUE(r.request().noise);
