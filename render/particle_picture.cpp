@@ -2,21 +2,21 @@
 #include "render/particle_picture.h"
 
 #include "render/theme.h"
-#include "render/views/discs.h"
+#include "render/views/flat.h"
 
 namespace flipbook::render {
 
 struct ParticlePicture::Impl {
-  explicit Impl(Context& context) : gl(context), discs(gl) {}
+  explicit Impl(Context& context) : gl(context), flat(gl, {}) {}
   gl::Functions gl;
-  DiscView discs;
+  FlatView flat;
 };
 
 ParticlePicture::ParticlePicture(Context& context) : impl_(std::make_unique<Impl>(context)) {}
 ParticlePicture::~ParticlePicture() = default;
 
 Image ParticlePicture::draw(const std::shared_ptr<const Snapshot>& snapshot, const ViewSettings& view,
-                            const Window& window, int width, int height) {
+                            const Window& window, int width, int height, float point) {
   const gl::Functions& gl = impl_->gl;
   const gl::Canvas canvas(gl, width, height);
   canvas.bind();
@@ -33,7 +33,7 @@ Image ParticlePicture::draw(const std::shared_ptr<const Snapshot>& snapshot, con
   Frame shown;
   shown.panes.push_back({"", snapshot});
   const std::vector<std::vector<float>> values{colour_values(*snapshot, chosen_quantity(view))};
-  impl_->discs.draw(pane, values.front(), shared_scale(shown, view, values), view.particle_size, canvas);
+  impl_->flat.draw(pane, values.front(), shared_scale(shown, view, values), view, point, canvas);
   return canvas.read();
 }
 

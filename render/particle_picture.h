@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The particles of a 2D snapshot alone, without frame, walls or text: for figures, which draw these themselves.
+// The particles or the liquid of a 2D snapshot alone, without frame, walls or text: for figures, which draw these
+// themselves.
 #pragma once
 
 #include "render/context/context.h"
@@ -22,9 +23,10 @@ public:
   /// The context must be current.
   explicit ParticlePicture(Context& context);
   ~ParticlePicture();
-  /// In the colours of the view's quantity, map and theme; its range must be given. A pure function of its arguments.
+  /// In the style and the colours of the view, whose range must be given; `point` in pixels. A pure function of its
+  /// arguments.
   [[nodiscard]] Image draw(const std::shared_ptr<const Snapshot>& snapshot, const ViewSettings& view,
-                           const Window& window, int width, int height);
+                           const Window& window, int width, int height, float point);
 
 private:
   struct Impl;

@@ -5,7 +5,7 @@
 #include "render/gui/painter.h"
 #include "render/gui/pointer.h"
 #include "render/gui/session.h"
-#include "render/views/discs.h"
+#include "render/views/flat.h"
 #include "render/views/space.h"
 
 #include <imgui.h>
@@ -38,7 +38,7 @@ const Widget* find_widget(const std::vector<Widget>& widgets, const PointerTarge
 
 struct Renderer::Impl {
   Impl(Context& context, int width, int height, PanelBuilder builder, Workers workers)
-      : gl(context), canvas(gl, width, height), fonts(point_size(width, height)), painter(gl, fonts), discs(gl),
+      : gl(context), canvas(gl, width, height), fonts(point_size(width, height)), painter(gl, fonts), flat(gl, workers),
         space(gl, std::move(workers)), panel(std::move(builder)) {}
 
   /// Runs the panel until the widget under the pointer knows it; returns where the pointer is.
@@ -125,7 +125,7 @@ struct Renderer::Impl {
       if (pane.camera)
         space.draw(pane, page.values()[i], page.scale(), view.particle_size, colours, canvas, detail);
       else
-        discs.draw(pane, page.values()[i], page.scale(), view.particle_size, canvas);
+        flat.draw(pane, page.values()[i], page.scale(), view, fonts.scale(), canvas);
     }
     ink_layer(gui, [&](gui::Ink& ink) { page.draw_over(ink); });
     const ImDrawData& widgets = gui.data();
@@ -143,7 +143,7 @@ struct Renderer::Impl {
   gl::Canvas canvas;
   gui::Fonts fonts;
   gui::Painter painter;
-  DiscView discs;
+  FlatView flat;
   SpaceView space;
   PanelBuilder panel;
   std::vector<TextBox> labels;

@@ -16,6 +16,7 @@ struct Palette {
   Colour floor, floor_grid, far_wall, far_edge, near_edge; ///< the tank of a 3D pane
   Colour shadow;                                           ///< and how much of it the darkest has
   Colour solid, outline;                                   ///< bodies in 3D; the outline of those in 2D
+  Colour liquid, liquid_edge;                              ///< as one body
   Colour arrow, warning;
   Colour holds, fails;             ///< what a proposition promises and the ledger finds
   std::array<Colour, 12> variants; ///< frame of a pane and its curves

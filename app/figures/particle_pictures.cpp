@@ -27,7 +27,8 @@ void ParticlePictures::draw(render::Pen& pen, const render::Rect& box, const std
   const auto pixels = [&](float length) {
     return std::max(1, static_cast<int>(std::lround(static_cast<double>(length) * per_unit)));
   };
-  pen.picture(drawer_->picture.draw(snapshot, view, window, pixels(box.w), pixels(box.h)), box);
+  pen.picture(drawer_->picture.draw(snapshot, view, window, pixels(box.w), pixels(box.h), static_cast<float>(per_unit)),
+              box);
 }
 
 } // namespace flipbook::app

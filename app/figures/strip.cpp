@@ -56,6 +56,7 @@ double draw_strip(const FigureArea& area, const Strip& strip) {
     }
     y += high + gap;
   }
+  if (strip.view.look.style == render::Style::surface && !chosen_quantity(strip.view).names) return y;
   const double bar = std::min(area.width, 210.0);
   return draw_colour_bar({pen, area.right() - bar, y + 3, bar, nullptr}, strip.view, bar);
 }

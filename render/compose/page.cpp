@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/compose/page.h"
 
+#include "render/compose/missing.h"
 #include "render/views/colour_bar.h"
 #include "render/views/domain.h"
 #include "render/views/solids.h"
@@ -74,7 +75,8 @@ Page::Page(const Frame& frame, const ViewSettings& view, const gui::Fonts& fonts
   r.panel = view.show_panel;
   r.plots = plots_.size();
   r.plot_height = view.plot_height;
-  if (!scale_.quantity->names) r.colour_label = std::ceil(fonts.width(Type::body, colour_bar_label(scale_))) + 1;
+  if (!scale_.quantity->names && !one_colour(frame, view))
+    r.colour_label = std::ceil(fonts.width(Type::body, colour_bar_label(scale_))) + 1;
   r.time = std::ceil(fonts.width(Type::title, time_text(std::max(frame.time, frame.duration)))) + 2;
   r.legend = legend_.widths(fonts);
   r.references = legend_.references();
@@ -145,19 +147,9 @@ void Page::place_domains() {
 /// What a reader must know: warnings first, then the notes of the solvers, each once.
 void Page::collect_footer() {
   warnings_ = frame_.warnings;
-  for (std::size_t i = 0; i < frame_.panes.size(); ++i) {
-    const Snapshot& s = *frame_.panes[i].snapshot;
-    if (values_[i].empty() && s.particles() > 0) {
-      warnings_.push_back("no values of " + std::string(scale_.quantity->label) +
-                          " were published: particles have no colour");
-      break;
-    }
-  }
+  for (std::string& line : what_is_missing(frame_, view_, values_)) warnings_.push_back(std::move(line));
   if (view_.arrows) arrow_speed_ = arrow_speed(frame_);
-  const auto flat = [](const Pane& p) { return p.snapshot->dim == 2; };
-  has_arrow_key_ = view_.arrows && std::any_of(frame_.panes.begin(), frame_.panes.end(), flat);
-  if (view_.arrows && !std::all_of(frame_.panes.begin(), frame_.panes.end(), flat))
-    warnings_.emplace_back("view.arrows: arrows are drawn in 2D only");
+  has_keys_ = view_.arrows && has_panes_of(frame_, 2);
   if (sheet_ && sheet_->sparklines()) notes_.push_back("Curves: " + sheet_->sparklines()->label + ".");
   if (view_.is_sheet() && !view_.sheet.sparkline.empty() && !sheet_->sparklines())
     warnings_.push_back("view.sparkline: no pane records \"" + view_.sheet.sparkline + "\"");
@@ -186,7 +178,7 @@ void Page::share_notes() {
 /// One line, unless the tables of the ledger are shown: then everything is said.
 std::size_t Page::note_lines() const {
   const std::size_t lines = tables_ ? most_shared_lines : sheet_ && sheet_->sparklines() ? 2 : 1;
-  return std::max<std::size_t>(std::min(notes_.size(), lines), has_arrow_key_ ? 1 : 0);
+  return std::max<std::size_t>(std::min(notes_.size(), lines), has_keys_ ? 1 : 0);
 }
 
 std::size_t Page::footer_lines() const {
@@ -217,8 +209,10 @@ void Page::draw_under(gui::Ink& ink) const {
     ink.fill(v.frame, palette_.pane, ink.pt(4));
     if (v.camera)
       draw_tank_behind(ink, v, palette_, view_.walls, view_.grid);
-    else if (view_.grid)
-      within(ink, v, [&] { draw_grid(ink, v, palette_); });
+    else
+      within(ink, v, [&] {
+        if (view_.grid) draw_grid(ink, v, palette_);
+      });
   }
 }
 
@@ -284,11 +278,8 @@ void Page::draw_footer(gui::Ink& ink) const {
   for (std::size_t i = 0; i < shown; ++i, line.y += line.h)
     ink.text(line, Type::small, palette_.warning,
              "Warning: " + warnings_[i] + (i + 1 == shown ? more(warnings_.size() - shown) : ""));
-  if (arrow_speed_ > 0) {
-    const float used = draw_arrow_key(ink, line, palette_, arrow_speed_);
-    line.x += used;
-    line.w -= used;
-  }
+  const auto take = [&](float used) { line.x += used, line.w -= used; };
+  if (arrow_speed_ > 0) take(draw_arrow_key(ink, line, palette_, arrow_speed_));
   const std::size_t lines = std::min(notes_.size(), note_lines());
   for (std::size_t i = 0; i < lines; ++i, line.y += line.h)
     ink.text(line, Type::small, palette_.muted, notes_[i] + (i + 1 == lines ? more(notes_.size() - lines) : ""));
