@@ -2,6 +2,7 @@
 #include "render/compose/page.h"
 
 #include "render/compose/missing.h"
+#include "render/views/arrows.h"
 #include "render/views/colour_bar.h"
 #include "render/views/domain.h"
 #include "render/views/solids.h"
@@ -256,7 +257,7 @@ void Page::draw_pane(gui::Ink& ink, std::size_t i) const {
     within(ink, v, [&] {
       draw_solid_areas(ink, v, palette_);
       if (view_.walls) draw_walls(ink, v, palette_);
-      if (view_.arrows) draw_arrows(ink, v, palette_, arrow_speed_);
+      if (view_.arrows) draw_arrows(ink, v, palette_, arrow_speed_, view_.look.arrows_at);
     });
   }
   if (!v.snapshot->watermark.empty()) draw_watermark(ink, v.frame, v.snapshot->watermark, palette_);
