@@ -17,6 +17,7 @@ struct Palette {
   Colour shadow;                                           ///< and how much of it the darkest has
   Colour solid, outline;                                   ///< bodies in 3D; the outline of those in 2D
   Colour liquid, liquid_edge;                              ///< as one body
+  Colour cell_liquid, cell_air, cell_solid;                ///< tints of cells
   Colour arrow, warning;
   Colour holds, fails;             ///< what a proposition promises and the ledger finds
   std::array<Colour, 12> variants; ///< frame of a pane and its curves

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/compose/missing.h"
 
+#include "render/views/cell_types.h"
 #include "render/views/colour_by.h"
 
 #include <algorithm>
@@ -45,6 +46,11 @@ std::vector<std::string> what_is_missing(const Frame& frame, const ViewSettings&
       lines.push_back("no values of " + std::string(chosen_quantity(view).label) +
                       " were published: particles have no colour");
   if (has_panes_of(frame, 3)) add_flat_ones(view, lines);
+  const auto flat_and = [&](auto&& is) {
+    return any_of_panes(frame, [&](const Snapshot& s) { return s.dim == 2 && s.particles() > 0 && is(s); });
+  };
+  if (view.look.cell_types && flat_and([](const Snapshot& s) { return !has_cell_types(s); }))
+    lines.emplace_back("view.cell_types: only the solver of incompressible liquids tells its cells apart");
   return lines;
 }
 

@@ -3,6 +3,7 @@
 
 #include "render/compose/missing.h"
 #include "render/views/arrows.h"
+#include "render/views/cell_types.h"
 #include "render/views/colour_bar.h"
 #include "render/views/domain.h"
 #include "render/views/solids.h"
@@ -151,6 +152,7 @@ void Page::collect_footer() {
   for (std::string& line : what_is_missing(frame_, view_, values_)) warnings_.push_back(std::move(line));
   if (view_.arrows) arrow_speed_ = arrow_speed(frame_);
   has_keys_ = view_.arrows && has_panes_of(frame_, 2);
+  for (const Pane& p : frame_.panes) shows_cells_ |= view_.look.cell_types && has_cell_types(*p.snapshot);
   if (sheet_ && sheet_->sparklines()) notes_.push_back("Curves: " + sheet_->sparklines()->label + ".");
   if (view_.is_sheet() && !view_.sheet.sparkline.empty() && !sheet_->sparklines())
     warnings_.push_back("view.sparkline: no pane records \"" + view_.sheet.sparkline + "\"");
@@ -179,7 +181,7 @@ void Page::share_notes() {
 /// One line, unless the tables of the ledger are shown: then everything is said.
 std::size_t Page::note_lines() const {
   const std::size_t lines = tables_ ? most_shared_lines : sheet_ && sheet_->sparklines() ? 2 : 1;
-  return std::max<std::size_t>(std::min(notes_.size(), lines), has_keys_ ? 1 : 0);
+  return std::max<std::size_t>(std::min(notes_.size(), lines), has_keys_ || shows_cells_ ? 1 : 0);
 }
 
 std::size_t Page::footer_lines() const {
@@ -212,6 +214,7 @@ void Page::draw_under(gui::Ink& ink) const {
       draw_tank_behind(ink, v, palette_, view_.walls, view_.grid);
     else
       within(ink, v, [&] {
+        if (view_.look.cell_types && has_cell_types(*v.snapshot)) draw_cell_tints(ink, v, palette_);
         if (view_.grid) draw_grid(ink, v, palette_);
       });
   }
@@ -256,6 +259,7 @@ void Page::draw_pane(gui::Ink& ink, std::size_t i) const {
   } else {
     within(ink, v, [&] {
       draw_solid_areas(ink, v, palette_);
+      if (view_.look.cell_types && has_cell_types(*v.snapshot)) draw_cell_borders(ink, v, palette_);
       if (view_.walls) draw_walls(ink, v, palette_);
       if (view_.arrows) draw_arrows(ink, v, palette_, arrow_speed_, view_.look.arrows_at);
     });
@@ -281,6 +285,7 @@ void Page::draw_footer(gui::Ink& ink) const {
              "Warning: " + warnings_[i] + (i + 1 == shown ? more(warnings_.size() - shown) : ""));
   const auto take = [&](float used) { line.x += used, line.w -= used; };
   if (arrow_speed_ > 0) take(draw_arrow_key(ink, line, palette_, arrow_speed_));
+  if (shows_cells_) take(draw_cell_key(ink, line, palette_));
   const std::size_t lines = std::min(notes_.size(), note_lines());
   for (std::size_t i = 0; i < lines; ++i, line.y += line.h)
     ink.text(line, Type::small, palette_.muted, notes_[i] + (i + 1 == lines ? more(notes_.size() - lines) : ""));

@@ -51,7 +51,7 @@ private:
   ColourScale scale_;
   std::vector<Plot> plots_;
   double arrow_speed_ = 0;
-  bool has_keys_ = false;                            ///< is there a key to arrows?
+  bool has_keys_ = false, shows_cells_ = false;      ///< is there a key to arrows, are cells tinted?
   bool tables_ = false;                              ///< are the tables of the ledger shown?
   std::vector<std::string> warnings_, notes_;        ///< of all panes
   std::vector<std::vector<std::string>> pane_notes_; ///< where tables are shown: what not all panes say
