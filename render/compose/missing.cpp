@@ -51,6 +51,8 @@ std::vector<std::string> what_is_missing(const Frame& frame, const ViewSettings&
   };
   if (view.look.cell_types && flat_and([](const Snapshot& s) { return !has_cell_types(s); }))
     lines.emplace_back("view.cell_types: only the solver of incompressible liquids tells its cells apart");
+  if (view.look.trails > 0 && flat_and([](const Snapshot& s) { return s.trails.empty(); }))
+    lines.emplace_back("view.trails: a pane did not keep where its particles were");
   return lines;
 }
 

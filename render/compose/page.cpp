@@ -9,6 +9,7 @@
 #include "render/views/solids.h"
 #include "render/views/tank.h"
 #include "render/views/ticks.h"
+#include "render/views/trails.h"
 #include "render/views/watermark.h"
 
 #include <algorithm>
@@ -261,6 +262,7 @@ void Page::draw_pane(gui::Ink& ink, std::size_t i) const {
       draw_solid_areas(ink, v, palette_);
       if (view_.look.cell_types && has_cell_types(*v.snapshot)) draw_cell_borders(ink, v, palette_);
       if (view_.walls) draw_walls(ink, v, palette_);
+      if (view_.look.trails > 0) draw_trails(ink, v, view_.look.trails, palette_);
       if (view_.arrows) draw_arrows(ink, v, palette_, arrow_speed_, view_.look.arrows_at);
     });
   }
