@@ -111,6 +111,28 @@ render::Frame bodies_2d() {
   return made(s);
 }
 
+/// With lattices of a grid, and particles alone.
+render::Frame splash_and_dam() {
+  return frame_of("Splash", {"splash", "dam_apic"});
+}
+
+/// A block of one material on a bed of another, a ball of a third beside them.
+render::Frame two_materials() {
+  Snapshot s = empty_tank(2, {0, 0, 0}, {2, 1, 1});
+  const auto kind = [](const Vec3& x) {
+    if (x[1] < 0.25) return 0;
+    if (x[1] < 0.6 && std::abs(x[0] - 0.6) < 0.25) return 1;
+    return std::hypot(x[0] - 1.4, x[1] - 0.55) < 0.2 ? 2 : -1;
+  };
+  add_particles(s, 0.03, [&](const Vec3& x) { return kind(x) >= 0; });
+  s.particle_spacing = 0.03;
+  s.channels = {{"material", "", 0, 2, false, {}}};
+  for (std::size_t p = 0; p < s.particles(); ++p)
+    s.channels[0].values.push_back(
+        static_cast<float>(kind({static_cast<double>(s.x[2 * p]), static_cast<double>(s.x[2 * p + 1]), 0})));
+  return made(s);
+}
+
 /// Without a ledger, with one where L is not defined, with one that changed nothing yet, and in space.
 render::Frame ledger_states() {
   render::Frame f = frame_of("Ledgers", {"dam_pic", "vortices_flip", "dam_apic", "dam_3d"});
@@ -160,6 +182,25 @@ std::vector<Case> cases() {
       {"range", bare_with({"view.range=0,1"}), two_dams, 480, 270},
       {"grid_and_arrows", bare_with({"view.grid=true", "view.arrows=true", "view.particle_size=0.6"}), two_dams, 480,
        270},
+      {"field_vorticity", bare_with({"view.style=field", "view.colour=vorticity"}), vortices, 480, 270},
+      {"field_pressure_light",
+       bare_with({"view.style=field", "view.colour=pressure", "view.theme=light", "view.outline=true"}),
+       [] { return one("splash"); }, 360, 270},
+      {"surface_dark", bare_with({"view.style=surface"}), splash_and_dam, 480, 270},
+      {"surface_light", bare_with({"view.style=surface", "view.theme=light"}), splash_and_dam, 480, 270},
+      {"surface_materials", bare_with({"view.style=surface", "view.colour=material", "view.range=0,2"}), two_materials,
+       480, 270},
+      {"outline", bare_with({"view.outline=true", "view.particle_size=0.7"}), splash_and_dam, 480, 270},
+      {"arrows_on_faces",
+       bare_with({"view.style=surface", "view.arrows=true", "view.arrows_at=faces", "view.grid=true"}),
+       [] { return one("splash"); }, 480, 400},
+      {"cell_types", bare_with({"view.cell_types=true", "view.particle_size=0.6"}), [] { return one("splash"); }, 480,
+       400},
+      {"cell_types_light",
+       bare_with({"view.cell_types=true", "view.particle_size=0.6", "view.theme=light", "view.arrows=true"}),
+       [] { return one("splash"); }, 480, 400},
+      {"trails", bare_with({"view.trails=0.3", "view.style=surface"}), [] { return one("splash"); }, 480, 270},
+      {"trails_light", bare_with({"view.trails=0.3", "view.theme=light"}), [] { return one("splash"); }, 480, 270},
       {"water_3d", bare, [] { return one("dam_3d"); }, 480, 270},
       {"water_3d_light", bare_with({"view.theme=light", "view.grid=true"}), [] { return one("dam_3d"); }, 480, 270},
       {"water_3d_orbited",

@@ -54,6 +54,15 @@ TEST_P(Labels, KeepClearOfEachOtherWhenLong) {
   }
 }
 
+/// The keys of arrows and of cells stand beside the notes.
+TEST_P(Labels, OfKeysKeepClear) {
+  for (const std::size_t panes : {1U, 4U}) {
+    render::Frame frame = frame_of("Cells", std::vector<std::string>(panes, "splash"));
+    check(frame, view_with({"view.arrows=true", "view.arrows_at=faces", "view.cell_types=true", "view.trails=0.2"}),
+          std::to_string(panes) + " panes with cells");
+  }
+}
+
 /// Tables are shown or left out with a warning that says so; in both cases nothing covers anything.
 TEST_P(Labels, OfLedgersKeepClearOrAreLeftOut) {
   for (const std::string view : {"total", "step"})
