@@ -75,7 +75,7 @@ struct Renderer::Impl {
     const Page page(frame, view, fonts, canvas.width(), canvas.height());
     gui::Session session(fonts, canvas.width(), canvas.height(), colours);
     const std::optional<gui::Hand> hand = run_panel(session, frame, view, page.layout().panel);
-    paint(page, view, session, gl::Layer::fine);
+    paint(page, view, session, false);
     if (hand)
       ink_layer(session,
                 [&](gui::Ink& ink) { draw_pointer(ink, hand->at, chosen_target(frame)->grip, hand->pressed); });
@@ -107,13 +107,13 @@ struct Renderer::Impl {
       PanelArea area{page.layout().panel, fonts.scale(), fonts, palette(view.theme), widgets, texts};
       if (layer.panel && view.show_panel) layer.panel(frame, view, area);
     });
-    paint(page, view, layer.gui, layer.coarse ? gl::Layer::coarse : gl::Layer::fine);
+    paint(page, view, layer.gui, layer.coarse);
     if (layer.over) ink_layer(layer.gui, [&](gui::Ink& ink) { layer.over(ink, live_panes); });
     return canvas.read();
   }
 
   /// The page with its particles, and the widgets.
-  template <class Gui> void paint(const Page& page, const ViewSettings& view, const Gui& gui, int detail) {
+  template <class Gui> void paint(const Page& page, const ViewSettings& view, const Gui& gui, bool hurried) {
     const Palette& colours = palette(view.theme);
     canvas.bind();
     gl.Disable(GL_SCISSOR_TEST);
@@ -123,7 +123,7 @@ struct Renderer::Impl {
     for (std::size_t i = 0; i < page.panes().size(); ++i) {
       const PaneView& pane = page.panes()[i];
       if (pane.camera)
-        space.draw(pane, page.values()[i], page.scale(), view.particle_size, colours, canvas, detail);
+        space.draw(pane, page.values()[i], page.scale(), view, canvas, hurried);
       else
         flat.draw(pane, page.values()[i], page.scale(), view, fonts.scale(), canvas);
     }

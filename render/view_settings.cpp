@@ -15,6 +15,7 @@ void ViewSettings::describe(ParameterVisitor& v) {
   v.group("view", [&] {
     v.choice({.name = "theme", .help = "Colours of the page."}, theme, themes);
     look.describe(v);
+    space.describe(v);
     v.choice({.name = "colour", .help = "What particles and fields are coloured by."}, colour, colour_options());
     v.choice({.name = "map", .help = "The colour map."}, map, colour_map_options());
     v.reals(

@@ -5,6 +5,7 @@
 #include "render/compose/sheet_settings.h"
 #include "render/views/look_settings.h"
 #include "render/views/plot_settings.h"
+#include "render/views/space_settings.h"
 #include "sim/frame/parameters.h"
 #include "sim/frame/snapshot.h"
 
@@ -23,6 +24,7 @@ struct ViewSettings {
   int colour = 0;                       ///< index into the list of colour quantities (render/views/colour_by.h)
   int map = 0;                          ///< index into the list of colour maps; the first, "auto", suits the quantity
   LookSettings look;                    ///< what stands for the particles (render/views/look_settings.h)
+  SpaceSettings space;                  ///< what only 3D panes have (render/views/space_settings.h)
   std::array<double, 2> range{0, 0};    ///< of the shared colour scale; equal ends: found from the data
   double particle_size = 1.5;           ///< diameter of a disc in particle spacings; above 1 closes the gaps
   double azimuth = -30, elevation = 20; ///< of the 3D camera, degrees (render/views/camera.h)

@@ -35,7 +35,8 @@ bool has_panes_of(const Frame& frame, int dim) {
 }
 
 bool one_colour(const Frame& frame, const ViewSettings& view) {
-  return view.look.style == Style::surface && !chosen_quantity(view).names && !has_panes_of(frame, 3);
+  return view.look.style == Style::surface && !chosen_quantity(view).names &&
+         !(view.space.tint && has_panes_of(frame, 3));
 }
 
 std::vector<std::string> what_is_missing(const Frame& frame, const ViewSettings& view,

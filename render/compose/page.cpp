@@ -157,6 +157,8 @@ void Page::collect_footer() {
   if (sheet_ && sheet_->sparklines()) notes_.push_back("Curves: " + sheet_->sparklines()->label + ".");
   if (view_.is_sheet() && !view_.sheet.sparkline.empty() && !sheet_->sparklines())
     warnings_.push_back("view.sparkline: no pane records \"" + view_.sheet.sparkline + "\"");
+  if (view_.look.style == Style::field && !std::all_of(frame_.panes.begin(), frame_.panes.end(), flat))
+    warnings_.emplace_back("view.style: fields are drawn in 2D only; in 3D particles are balls");
   for (const Pane& p : frame_.panes)
     for (const std::string& note : p.snapshot->notes)
       if (!contains(notes_, note)) notes_.push_back(note);

@@ -30,11 +30,14 @@ void Layer::reserve(int width, int height) {
   gl.ActiveTexture(GL_TEXTURE0);
   make_texture(gl, under_, width_, height_);
   make_texture(gl, colour_, fine * width_, fine * height_);
-  gl.BindRenderbuffer(GL_RENDERBUFFER, depth_.name());
-  gl.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, fine * width_, fine * height_);
+  gl.BindTexture(GL_TEXTURE_2D, depth_.name());
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, fine * width_, fine * height_, 0, GL_DEPTH_COMPONENT,
+                GL_UNSIGNED_INT, nullptr);
+  for (const auto filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour_.name(), 0);
-  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.name(), 0);
   if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     throw MachineError("OpenGL refused a framebuffer of " + std::to_string(fine * width_) + "x" +
                        std::to_string(fine * height_) + " pixels");
@@ -45,15 +48,29 @@ void Layer::begin(const Area& area, int margin, int detail) {
   reserve(area.w, area.h);
   const Functions& gl = *gl_;
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-  gl.Viewport(-detail * margin, -detail * margin, detail * (area.w + 2 * margin), detail * (area.h + 2 * margin));
-  gl.Enable(GL_SCISSOR_TEST);
-  gl.Scissor(0, 0, detail * area.w, detail * area.h);
+  frame(area, margin);
   gl.Disable(GL_BLEND);
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthFunc(GL_LESS);
   gl.DepthMask(GL_TRUE);
   gl.ClearColor(0, 0, 0, 0);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void Layer::begin_again(const Area& area, int margin) const {
+  const Functions& gl = *gl_;
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  frame(area, margin);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.ClearColor(0, 0, 0, 0);
+  gl.Clear(GL_COLOR_BUFFER_BIT);
+}
+
+void Layer::frame(const Area& area, int margin) const {
+  const Functions& gl = *gl_;
+  gl.Viewport(-detail_ * margin, -detail_ * margin, detail_ * (area.w + 2 * margin), detail_ * (area.h + 2 * margin));
+  gl.Enable(GL_SCISSOR_TEST);
+  gl.Scissor(0, 0, detail_ * area.w, detail_ * area.h);
 }
 
 void Layer::finish(const Area& area, const Canvas& canvas) const {

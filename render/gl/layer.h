@@ -20,6 +20,11 @@ public:
   /// picture larger on each side, so that points are drawn whose middle is outside. `detail`: pixels of
   /// the layer for each of the picture's, on an axis.
   void begin(const Area& area, int margin, int detail = fine);
+  /// Once more after finish(), empty: what was drawn before hides what lies behind it but is not drawn again.
+  void begin_again(const Area& area, int margin) const;
+  /// The viewport and the scissor rectangle of begin(), for another framebuffer of as many pixels.
+  void frame(const Area& area, int margin) const;
+  [[nodiscard]] GLuint depth() const { return depth_.name(); } ///< a texture
   /// Draws it onto the canvas.
   void finish(const Area& area, const Canvas& canvas) const;
 
@@ -30,8 +35,7 @@ private:
   Program program_;
   VertexArray none_;
   Framebuffer framebuffer_;
-  Texture colour_, under_;
-  Renderbuffer depth_;
+  Texture colour_, under_, depth_;
   int detail_ = fine;
   int width_ = 0, height_ = 0; ///< of the picture, that there is room for
 };

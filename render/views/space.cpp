@@ -6,6 +6,8 @@
 namespace flipbook::render {
 namespace {
 
+constexpr double clear = 0.45; ///< of the light that balls take is taken by a liquid that one sees through
+
 /// The pixels of a pane without those that its rounded frame covers.
 Area inside(const Rect& frame) {
   const int x0 = static_cast<int>(std::ceil(frame.x)) + 1, y0 = static_cast<int>(std::ceil(frame.y)) + 1;
@@ -16,19 +18,27 @@ Area inside(const Rect& frame) {
 } // namespace
 
 SpaceView::SpaceView(const gl::Functions& gl, Workers workers)
-    : workers_(std::move(workers)), layer_(gl), balls_(gl), solids_(gl), shadow_(gl) {}
+    : workers_(std::move(workers)), layer_(gl), balls_(gl), solids_(gl), shadow_(gl), liquid_(gl), spray_(gl) {}
 
-void SpaceView::draw(const PaneView& pane, std::span<const float> values, const ColourScale& scale, double diameter,
-                     const Palette& palette, const gl::Canvas& canvas, int detail) {
-  const double radius = 0.5 * diameter * pane.snapshot->particle_spacing;
-  shadow_.draw(pane, radius, palette.shadow, canvas, workers_);
-  const Area area = inside(pane.frame);
-  layer_.begin(area, balls_.margin(), detail);
-  const float m = static_cast<float>(balls_.margin());
-  const Rect r = area.rect();
-  solids_.draw(pane, {r.x - m, r.y - m, r.w + 2 * m, r.h + 2 * m}, palette.solid);
-  balls_.draw(pane, values, scale, radius, area, detail, workers_);
-  layer_.finish(area, canvas);
+void SpaceView::draw(const PaneView& pane, std::span<const float> values, const ColourScale& scale,
+                     const ViewSettings& view, const gl::Canvas& canvas, bool hurried) {
+  const Palette& colours = palette(view.theme);
+  const bool draft = hurried || view.space.quality == Quality::draft, as_surface = view.look.style == Style::surface;
+  const double radius = 0.5 * view.particle_size * pane.snapshot->particle_spacing;
+  const Colour shade = colours.shadow.alpha((as_surface ? clear : 1) * colours.shadow.a / 255);
+  shadow_.draw(pane, radius, shade, canvas, workers_);
+  const LayerView at{inside(pane.frame), balls_.margin(), draft ? gl::Layer::coarse : gl::Layer::fine};
+  layer_.begin(at.area, at.margin, at.detail);
+  solids_.draw(pane, at.viewport(), colours.solid);
+  if (!as_surface) {
+    balls_.draw(pane, values, scale, radius, at.area, at.detail, workers_);
+    return layer_.finish(at.area, canvas);
+  }
+  const LiquidSurface surface = liquid_surface(*pane.snapshot, view.space.tint ? values : std::span<const float>{},
+                                               draft ? SurfaceDetail::one : SurfaceDetail::two, workers_);
+  if (view.space.spray) spray_.draw(pane, surface, values, scale, view.space.tint, colours, at);
+  layer_.finish(at.area, canvas);
+  liquid_.draw(pane, surface, scale, view.space.tint && !values.empty(), colours, at, layer_, canvas);
 }
 
 } // namespace flipbook::render

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-// What a 3D pane holds between the far and the near edges of its tank: the shadow on the floor, then balls and solids
-// against one depth buffer.
+// What a 3D pane holds between the far and the near edges of its tank: the shadow on the floor, then solids and balls,
+// or drops of spray, against one depth buffer, then the surface of the liquid over all of it.
 #pragma once
 
-#include "render/gl/layer.h"
 #include "render/views/balls.h"
 #include "render/views/floor_shadow.h"
 #include "render/views/solids.h"
+#include "render/views/spray.h"
 
 namespace flipbook::render {
 
 class SpaceView {
 public:
   SpaceView(const gl::Functions& gl, Workers workers);
-  /// `values` as colour_values gives them; `diameter` of a ball in particle spacings.
-  void draw(const PaneView& pane, std::span<const float> values, const ColourScale& scale, double diameter,
-            const Palette& palette, const gl::Canvas& canvas, int detail = gl::Layer::fine);
+  /// `values` as colour_values gives them. `hurried`: a draft, whatever the view asks for.
+  void draw(const PaneView& pane, std::span<const float> values, const ColourScale& scale, const ViewSettings& view,
+            const gl::Canvas& canvas, bool hurried = false);
 
 private:
   Workers workers_;
@@ -23,6 +23,8 @@ private:
   BallView balls_;
   SolidView solids_;
   FloorShadow shadow_;
+  LiquidView liquid_;
+  SprayView spray_;
 };
 
 } // namespace flipbook::render
