@@ -2,7 +2,6 @@
 #include "render/views/floor_shadow.h"
 
 #include "render/gui/painter.h"
-#include "render/views/tank.h"
 
 #include <algorithm>
 #include <array>
@@ -137,6 +136,26 @@ ShadeMap floor_shade(const Snapshot& s, double radius, const Workers& workers) {
   return out;
 }
 
+ShadeMap contact_shade(const Snapshot& s, Face face, const Surroundings& around, const Workers& workers) {
+  const std::size_t a = (face.axis + 1) % 3, b = (face.axis + 2) % 3;
+  ShadeMap out{around.count()[a], around.count()[b], {}};
+  out.shade.resize(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
+  std::array<float, 3> normal{};
+  normal[face.axis] = face.upper ? -1 : 1;
+  in_pieces(workers, static_cast<std::size_t>(out.height), 8, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t j = begin; j < end; ++j)
+      for (std::size_t i = 0; i < static_cast<std::size_t>(out.width); ++i) {
+        std::array<float, 3> x{};
+        x[face.axis] = face.upper ? static_cast<float>(s.hi[face.axis] - s.lo[face.axis]) : 0;
+        x[a] = (static_cast<float>(i) + 0.5F) * around.cell()[a];
+        x[b] = (static_cast<float>(j) + 0.5F) * around.cell()[b];
+        const float shade = 1 - around.open(x, normal);
+        out.shade[j * static_cast<std::size_t>(out.width) + i] = static_cast<std::uint8_t>(shade * 255 + 0.5F);
+      }
+  });
+  return out;
+}
+
 FloorShadow::FloorShadow(const gl::Functions& gl)
     : gl_(&gl), program_(gl, "shadow"), texture_(gl), array_(gl), vertices_(gl) {
   gl.BindVertexArray(array_.name());
@@ -147,12 +166,23 @@ FloorShadow::FloorShadow(const gl::Functions& gl)
   gl.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, 5 * sizeof(float), reinterpret_cast<const void*>(3 * sizeof(float)));
 }
 
-void FloorShadow::draw(const PaneView& pane, double radius, Colour colour, const gl::Canvas& canvas,
-                       const Workers& workers) const {
+void FloorShadow::draw(const PaneView& pane, double radius, const Surroundings& around, Colour colour, double strength,
+                       bool walls, const gl::Canvas& canvas, const Workers& workers) const {
   const Snapshot& s = *pane.snapshot;
-  const Face face = floor_of(s);
-  if (!is_far(pane, face) || s.periodic[face.axis]) return;
-  const ShadeMap map = floor_shade(s, radius, workers);
+  const Face floor = floor_of(s);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const bool upper : {false, true}) {
+      const Face face{axis, upper};
+      const bool is_floor = axis == floor.axis && upper == floor.upper;
+      if (!is_far(pane, face) || s.periodic[axis] || (!walls && !is_floor)) continue;
+      darken(pane, face, contact_shade(s, face, around, workers), colour, canvas);
+      if (is_floor)
+        darken(pane, face, floor_shade(s, radius, workers), colour.alpha(strength * colour.a / 255), canvas);
+    }
+}
+
+void FloorShadow::darken(const PaneView& pane, Face face, const ShadeMap& map, Colour colour,
+                         const gl::Canvas& canvas) const {
   const gl::Functions& gl = *gl_;
   gl.ActiveTexture(GL_TEXTURE0);
   gl.BindTexture(GL_TEXTURE_2D, texture_.name());
@@ -164,7 +194,7 @@ void FloorShadow::draw(const PaneView& pane, double radius, Colour colour, const
     gl.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
 
   std::vector<float> numbers;
-  const std::array<std::array<double, 3>, 4> corners = corners_of(s, face);
+  const std::array<std::array<double, 3>, 4> corners = corners_of(*pane.snapshot, face);
   for (const std::size_t k : {0U, 1U, 2U, 0U, 2U, 3U}) {
     const glm::dvec3 p = pane.camera->in_camera(corners[k]);
     for (const double x : {p.x, p.y, p.z, k == 1 || k == 2 ? 1.0 : 0.0, k >= 2 ? 1.0 : 0.0})

@@ -96,7 +96,28 @@ void draw_solid_areas(gui::Ink& ink, const PaneView& pane, const Palette& palett
   ink.unclip();
 }
 
-SolidView::SolidView(const gl::Functions& gl) : gl_(&gl), program_(gl, "solid") {}
+SolidView::SolidView(const gl::Functions& gl) : gl_(&gl), program_(gl, "solid"), around_(gl) {}
+
+/// As a texture of all levels.
+void SolidView::upload(const Surroundings& around) {
+  const gl::Functions& gl = *gl_;
+  gl.ActiveTexture(GL_TEXTURE0);
+  gl.BindTexture(GL_TEXTURE_3D, around_.name());
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  std::vector<std::uint8_t> texels;
+  for (std::size_t k = 0; k < Surroundings::levels; ++k) {
+    texels.clear();
+    for (const float f : around.level(k)) texels.push_back(static_cast<std::uint8_t>(f * 255 + 0.5F));
+    const auto& n = around.count();
+    gl.TexImage3D(GL_TEXTURE_3D, static_cast<GLint>(k), GL_R8, n[0] >> k, n[1] >> k, n[2] >> k, 0, GL_RED,
+                  GL_UNSIGNED_BYTE, texels.data());
+  }
+  gl.TexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(Surroundings::levels) - 1);
+  gl.TexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+  gl.TexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  for (const auto wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+    gl.TexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_EDGE);
+}
 
 SolidView::Uploaded::Uploaded(const gl::Functions& gl, const std::shared_ptr<const TriangleMesh>& m)
     : mesh(m), array(gl), vertices(gl) {
@@ -120,8 +141,10 @@ const SolidView::Uploaded& SolidView::uploaded(const std::shared_ptr<const Trian
   return known_.emplace_back(*gl_, mesh);
 }
 
-void SolidView::draw(const PaneView& pane, const Rect& viewport, Colour colour) {
+void SolidView::draw(const PaneView& pane, const Rect& viewport, Colour colour, const Surroundings& around) {
+  if (pane.snapshot->solids.empty()) return;
   const gl::Functions& gl = *gl_;
+  upload(around);
   const Camera& camera = *pane.camera;
   const glm::mat4 projection = camera.projection(viewport);
   program_.use();
@@ -136,6 +159,8 @@ void SolidView::draw(const PaneView& pane, const Rect& viewport, Colour colour) 
                static_cast<float>(s.hi[2] - lo.z));
   const glm::vec3 eye(camera.eye() - lo);
   program_.set("camera", eye.x, eye.y, eye.z);
+  program_.set("around", 0);
+  program_.set("cell", around.length());
   program_.set("colour", colour.r / 255.F, colour.g / 255.F, colour.b / 255.F);
   for (const Solid& solid : s.solids) {
     glm::mat4 model(1);

@@ -6,6 +6,7 @@
 #include "render/gl/program.h"
 #include "render/theme.h"
 #include "render/views/pane_view.h"
+#include "render/views/surroundings.h"
 
 #include <memory>
 #include <vector>
@@ -24,7 +25,7 @@ class SolidView {
 public:
   explicit SolidView(const gl::Functions& gl);
   /// Draws into the layer that is bound, whose pixels are those of `viewport` in the picture.
-  void draw(const PaneView& pane, const Rect& viewport, Colour colour);
+  void draw(const PaneView& pane, const Rect& viewport, Colour colour, const Surroundings& around);
 
 private:
   /// A surface that was uploaded; it stays as long as anyone holds the mesh.
@@ -35,10 +36,12 @@ private:
     gl::Buffer vertices;
     GLsizei count = 0;
   };
+  void upload(const Surroundings& around);
   [[nodiscard]] const Uploaded& uploaded(const std::shared_ptr<const TriangleMesh>& mesh);
 
   const gl::Functions* gl_;
   gl::Program program_;
+  gl::Texture around_;
   std::vector<Uploaded> known_;
 };
 

@@ -25,11 +25,11 @@ void SpaceView::draw(const PaneView& pane, std::span<const float> values, const 
   const Palette& colours = palette(view.theme);
   const bool draft = hurried || view.space.quality == Quality::draft, as_surface = view.look.style == Style::surface;
   const double radius = 0.5 * view.particle_size * pane.snapshot->particle_spacing;
-  const Colour shade = colours.shadow.alpha((as_surface ? clear : 1) * colours.shadow.a / 255);
-  shadow_.draw(pane, radius, shade, canvas, workers_);
+  const Surroundings around(*pane.snapshot, as_surface ? clear : 1, workers_);
+  shadow_.draw(pane, radius, around, colours.shadow, as_surface ? clear : 1, view.walls, canvas, workers_);
   const LayerView at{inside(pane.frame), balls_.margin(), draft ? gl::Layer::coarse : gl::Layer::fine};
   layer_.begin(at.area, at.margin, at.detail);
-  solids_.draw(pane, at.viewport(), colours.solid);
+  solids_.draw(pane, at.viewport(), colours.solid, around);
   if (!as_surface) {
     balls_.draw(pane, values, scale, radius, at.area, at.detail, workers_);
     return layer_.finish(at.area, canvas);
