@@ -104,8 +104,6 @@ int RunOptions::make_strip(Study study, const StripRequest& request) const {
   if (study.variants.size() > render::most_panes) // its study shows as many in no other way
     study.view.push_back({"view.layout", std::string("sheet"), {}});
   const Resolved resolved = resolve(study);
-  if (resolved.variants.front().scene.settings.dim == 3)
-    throw UserError("a filmstrip is drawn in 2D: give --dim 2, or use still without --rows and --cols");
   refuse_too_large(resolved);
   const SessionOptions session = session_options();
   render::set_draw_threads(1);
@@ -116,7 +114,7 @@ int RunOptions::make_strip(Study study, const StripRequest& request) const {
   body.strip = strip_of(resolved, take_shots(resolved, times, {pool}), rows, columns);
   FigureSpec spec;
   spec.claim = resolved.title;
-  ParticlePictures pictures(session.gl);
+  ParticlePictures pictures(session.gl, [&pool](int chunks, const auto& work) { pool.each(chunks, work); });
   for (const std::filesystem::path& f : files) {
     const DrawnFigure drawn = draw_figure(spec, body, {.width = request.width}, medium_of(f), print_density, pictures);
     Staging staged(f.has_parent_path() ? f.parent_path() : ".");

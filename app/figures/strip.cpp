@@ -3,6 +3,7 @@
 
 #include "app/figures/particle_pictures.h"
 #include "app/figures/sketch.h"
+#include "render/views/camera.h"
 #include "render/views/colour_by.h"
 #include "render/views/ticks.h"
 
@@ -22,6 +23,35 @@ void draw_walls(render::Pen& pen, const render::Rect& box) {
            light().accent, 1.3);
 }
 
+/// Height of a picture over its width.
+double shape_of(const Strip& strip) {
+  if (const Snapshot& first = *strip.shots.front().front(); first.dim == 3) {
+    const auto [width, height] = seen_shape(first, strip.view, false);
+    return height / width;
+  }
+  return (strip.window.hi[1] - strip.window.lo[1]) / (strip.window.hi[0] - strip.window.lo[0]);
+}
+
+void draw_shot(const FigureArea& area, const Strip& strip, const render::Rect& box, std::size_t r, std::size_t c) {
+  const std::shared_ptr<const Snapshot>& shot = strip.shots[r][c];
+  if (area.pictures && shot->dim == 3)
+    area.pictures->draw(area.pen, box, shot, strip.view);
+  else if (area.pictures)
+    area.pictures->draw(area.pen, box, shot, strip.view, strip.window);
+  if (strip.over) strip.over(area.pen, box, r, c);
+  if (shot->dim == 3) return;
+  if (strip.walls)
+    draw_walls(area.pen, box);
+  else
+    area.pen.outline(box, light().line, 0.8);
+}
+
+/// A liquid drawn as one body has its own colour.
+bool is_coloured(const Strip& strip) {
+  const bool tinted = strip.view.space.tint && strip.shots.front().front()->dim == 3;
+  return strip.view.look.style != render::Style::surface || chosen_quantity(strip.view).names || tinted;
+}
+
 } // namespace
 
 double draw_strip(const FigureArea& area, const Strip& strip) {
@@ -34,7 +64,7 @@ double draw_strip(const FigureArea& area, const Strip& strip) {
   const double left = area.x + (names > 0 ? names + 12 : 0), gap = area.narrow() ? 4 : 7;
   const auto columns = static_cast<double>(strip.columns.size());
   const double wide = (area.right() - left - gap * (columns - 1)) / columns;
-  const double high = wide * (strip.window.hi[1] - strip.window.lo[1]) / (strip.window.hi[0] - strip.window.lo[0]);
+  const double high = wide * shape_of(strip);
   double y = area.y + head;
   for (std::size_t c = 0; c < strip.columns.size(); ++c)
     pen.text({left + (wide + gap) * static_cast<double>(c) + wide / 2, area.y + 11.5}, strip.columns[c], usual_text,
@@ -45,18 +75,11 @@ double draw_strip(const FigureArea& area, const Strip& strip) {
       pen.text({area.x, y + high / 2 + 4}, name, usual_text, light().text, render::Weight::bold);
     else if (!name.empty())
       pen.text({area.x, (y += 15) - 3}, name, usual_text, light().text, render::Weight::bold);
-    for (std::size_t c = 0; c < strip.shots[r].size(); ++c) {
-      const render::Rect box = rect(left + (wide + gap) * static_cast<double>(c), y, wide, high);
-      if (area.pictures) area.pictures->draw(pen, box, strip.shots[r][c], strip.view, strip.window);
-      if (strip.over) strip.over(pen, box, r, c);
-      if (strip.walls)
-        draw_walls(pen, box);
-      else
-        pen.outline(box, light().line, 0.8);
-    }
+    for (std::size_t c = 0; c < strip.shots[r].size(); ++c)
+      draw_shot(area, strip, rect(left + (wide + gap) * static_cast<double>(c), y, wide, high), r, c);
     y += high + gap;
   }
-  if (strip.view.look.style == render::Style::surface && !chosen_quantity(strip.view).names) return y;
+  if (!is_coloured(strip)) return y - gap;
   const double bar = std::min(area.width, 210.0);
   return draw_colour_bar({pen, area.right() - bar, y + 3, bar, nullptr}, strip.view, bar);
 }

@@ -11,8 +11,8 @@ struct Strip {
   std::vector<std::string> rows, columns;                          ///< what stands beside and above them
   std::vector<std::vector<std::shared_ptr<const Snapshot>>> shots; ///< by row, then by column
   render::ViewSettings view;                                       ///< with the range of its colours
-  render::Window window;                                           ///< metres
-  bool walls = true;                                               ///< are the window's edges a tank's?
+  render::Window window;                                           ///< metres; 2D
+  bool walls = true;                                               ///< are the window's edges a tank's? 2D
   /// Draws over a picture; row and column follow its box.
   std::function<void(render::Pen&, const render::Rect&, std::size_t, std::size_t)> over{};
 };

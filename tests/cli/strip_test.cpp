@@ -57,6 +57,28 @@ TEST(Strip, HasAsManyPicturesAsASheet) {
   EXPECT_EQ(o.code, 0) << o.err;
 }
 
+TEST(Strip, InSpaceInEveryFormatForAnyNumberOfThreads) {
+  const Folder f;
+  for (const char* threads : {"1", "3"}) {
+    const Outcome o = run({"still",     "dam_break",
+                           "--dim",     "3",
+                           "--cells",   "8",
+                           "--set",     "view.style=surface",
+                           "--rows",    "schemes=pic,apic",
+                           "--cols",    "t=0,0.2",
+                           "--width",   "84mm",
+                           "--threads", threads,
+                           "-o",        std::string(threads) + "/strip.png",
+                           "-o",        std::string(threads) + "/strip.pdf",
+                           "-o",        std::string(threads) + "/strip.svg"},
+                          f.path());
+    EXPECT_EQ(o.code, 0) << o.err;
+  }
+  for (const char* file : {"strip.png", "strip.pdf", "strip.svg"})
+    EXPECT_TRUE(read_file(f.path() / "1" / file) == read_file(f.path() / "3" / file)) << file;
+  EXPECT_THAT(read_file(f.path() / "1/strip.svg"), HasSubstr("<image"));
+}
+
 TEST(Strip, RefusesBeforeItComputes) {
   const Folder f;
   expect_refusal(run(strip({"--rows", "t=0.1", "--cols", "t=0.2"}), f.path()), 2, {"both"});
@@ -66,7 +88,6 @@ TEST(Strip, RefusesBeforeItComputes) {
   expect_refusal(run(strip({"--rows", "transfer.flip_ration=0,1", "--at", "0.1"}), f.path()), 2, {"flip_ratio"});
   expect_refusal(run(strip({"--rows", "schemes", "--at", "0.1"}), f.path()), 2, {"--rows schemes"});
   expect_refusal(run(strip({"--cols", "t=0.1", "-o", "strip.mp4"}), f.path()), 2, {"strip.mp4", ".pdf"});
-  expect_refusal(run(strip({"--cols", "t=0.1", "--dim", "3"}), f.path()), 2, {"--dim 2"});
   EXPECT_TRUE(f.files().empty());
 }
 
