@@ -26,6 +26,12 @@ struct Pane {
   std::shared_ptr<const Snapshot> snapshot; ///< never null
 };
 
+/// How two of the panes differ, over the run so far: what no frame knows by itself.
+struct DifferenceSoFar {
+  History curve;   ///< its column "difference": the root mean square at each frame
+  double most = 0; ///< of the differences themselves: one in two hundred was farther from zero, at its most
+};
+
 /// What stands at the margins of a contact sheet; both empty: each pane has its own title.
 struct SheetNames {
   std::vector<std::string> rows, columns;
@@ -40,7 +46,8 @@ struct Frame {
   std::vector<PointerTarget>
       pointer;          ///< the pointer goes to the one with the largest grip; all 0 or empty: none is drawn
   bool turning = false; ///< the timeline moves the camera around: the tank then keeps its size from frame to frame
-  std::vector<std::string> warnings;                               ///< "panes 2 and 3 show identical particles"
+  std::shared_ptr<const DifferenceSoFar> difference{}; ///< of the pair that the view compares; null: not recorded
+  std::vector<std::string> warnings;                   ///< "panes 2 and 3 show identical particles"
   std::shared_ptr<const std::vector<ReferenceCurve>> references{}; ///< for the plots; null: none
 
   [[nodiscard]] std::span<const ReferenceCurve> shown_references() const {

@@ -2,6 +2,7 @@
 #include "render/renderer.h"
 
 #include "render/compose/page.h"
+#include "render/gl/pixels.h"
 #include "render/gui/painter.h"
 #include "render/gui/pointer.h"
 #include "render/gui/session.h"
@@ -11,10 +12,17 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace flipbook::render {
 namespace {
+
+/// All that it touches.
+Area pixels_of(const Rect& r) {
+  const int x = static_cast<int>(std::floor(r.x)), y = static_cast<int>(std::floor(r.y));
+  return {x, y, static_cast<int>(std::ceil(r.right())) - x, static_cast<int>(std::ceil(r.bottom())) - y};
+}
 
 /// The parameter that the hand is at, or none.
 const PointerTarget* chosen_target(const Frame& frame) {
@@ -38,8 +46,8 @@ const Widget* find_widget(const std::vector<Widget>& widgets, const PointerTarge
 
 struct Renderer::Impl {
   Impl(Context& context, int width, int height, PanelBuilder builder, Workers workers)
-      : gl(context), canvas(gl, width, height), fonts(point_size(width, height)), painter(gl, fonts), flat(gl, workers),
-        space(gl, std::move(workers)), panel(std::move(builder)) {}
+      : gl(context), canvas(gl, width, height), fonts(point_size(width, height)), painter(gl, fonts), pixels(gl),
+        flat(gl, workers), space(gl, std::move(workers)), panel(std::move(builder)) {}
 
   /// Runs the panel until the widget under the pointer knows it; returns where the pointer is.
   std::optional<gui::Hand> run_panel(gui::Session& session, const Frame& frame, const ViewSettings& view,
@@ -89,7 +97,10 @@ struct Renderer::Impl {
     (void)run_panel(session, frame, view, page.layout().panel);
     const std::unique_ptr<ImDrawList> list = session.list();
     gui::Ink ink(*list, fonts, labels);
-    page.draw_under(ink);
+    for (std::size_t i = 0; i < page.panes().size(); ++i) {
+      page.draw_behind(ink, i);
+      page.draw_before(ink, i);
+    }
     page.draw_over(ink);
   }
 
@@ -97,6 +108,7 @@ struct Renderer::Impl {
     labels.clear();
     const Page page(frame, view, fonts, canvas.width(), canvas.height());
     live_panes = page.panes();
+    live_split = page.split();
     live_panel = view.show_panel ? page.layout().panel : Rect{};
     const auto current = layer.gui.make_current();
     std::vector<Widget> widgets;
@@ -119,17 +131,55 @@ struct Renderer::Impl {
     gl.Disable(GL_SCISSOR_TEST);
     gl.ClearColor(colours.page.r / 255.F, colours.page.g / 255.F, colours.page.b / 255.F, 1);
     gl.Clear(GL_COLOR_BUFFER_BIT);
-    ink_layer(gui, [&](gui::Ink& ink) { page.draw_under(ink); });
-    for (std::size_t i = 0; i < page.panes().size(); ++i) {
+    paint_panes(page, view, gui, hurried);
+    if (const auto stamp = page.difference_pixels()) {
+      ink_layer(gui, [&](gui::Ink& ink) { page.draw_behind_difference(ink); });
+      pixels.put(stamp->area, stamp->colours, canvas);
+    }
+    ink_layer(gui, [&](gui::Ink& ink) { page.draw_over(ink); });
+    const ImDrawData& widgets = gui.data();
+    for (int i = 0; i < widgets.CmdListsCount; ++i) painter.draw(*widgets.CmdLists[i], canvas);
+  }
+
+  /// Two panes that share a frame are drawn one after the other, whole; then what is left of the divider comes back. So
+  /// each side has the very pixels that its pane has alone, whatever there is to draw.
+  template <class Gui> void paint_panes(const Page& page, const ViewSettings& view, const Gui& gui, bool hurried) {
+    std::vector<std::size_t> panes;
+    for (std::size_t i = 0; i < page.panes().size(); ++i)
+      if (!page.split() || i != page.split()->panes[1]) panes.push_back(i);
+    paint_panes(page, view, gui, hurried, panes);
+    if (!page.split()) return;
+    const Rect left = page.split()->side(0), all = page.split()->frame;
+    pixels.take(pixels_of(left), canvas);
+    fill(pixels_of(all), palette(view.theme).page);
+    paint_panes(page, view, gui, hurried, {page.split()->panes[1]});
+    pixels.put(canvas);
+  }
+
+  template <class Gui>
+  void paint_panes(const Page& page, const ViewSettings& view, const Gui& gui, bool hurried,
+                   const std::vector<std::size_t>& panes) {
+    ink_layer(gui, [&](gui::Ink& ink) {
+      for (const std::size_t i : panes) page.draw_behind(ink, i);
+    });
+    for (const std::size_t i : panes) {
       const PaneView& pane = page.panes()[i];
       if (pane.camera)
         space.draw(pane, page.values()[i], page.scale(), view, canvas, hurried);
       else
         flat.draw(pane, page.values()[i], page.scale(), view, fonts.scale(), canvas);
     }
-    ink_layer(gui, [&](gui::Ink& ink) { page.draw_over(ink); });
-    const ImDrawData& widgets = gui.data();
-    for (int i = 0; i < widgets.CmdListsCount; ++i) painter.draw(*widgets.CmdLists[i], canvas);
+    ink_layer(gui, [&](gui::Ink& ink) {
+      for (const std::size_t i : panes) page.draw_before(ink, i);
+    });
+  }
+
+  void fill(const Area& area, Colour c) {
+    gl.Enable(GL_SCISSOR_TEST);
+    gl.Scissor(area.x, area.y, area.w, area.h);
+    gl.ClearColor(c.r / 255.F, c.g / 255.F, c.b / 255.F, 1);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    gl.Disable(GL_SCISSOR_TEST);
   }
 
   template <class Gui, class Draw> void ink_layer(const Gui& gui, Draw&& draw_on) {
@@ -143,12 +193,14 @@ struct Renderer::Impl {
   gl::Canvas canvas;
   gui::Fonts fonts;
   gui::Painter painter;
+  gl::Pixels pixels;
   FlatView flat;
   SpaceView space;
   PanelBuilder panel;
   std::vector<TextBox> labels;
   std::vector<PaneView> live_panes;
   Rect live_panel;
+  std::optional<Split> live_split;
 };
 
 Renderer::Renderer(Context& context, int width, int height, PanelBuilder panel, Workers workers)
@@ -170,6 +222,9 @@ const std::vector<PaneView>& Renderer::panes() const {
 }
 const Rect& Renderer::panel() const {
   return impl_->live_panel;
+}
+const std::optional<Split>& Renderer::split() const {
+  return impl_->live_split;
 }
 const gui::Fonts& Renderer::fonts() const {
   return impl_->fonts;

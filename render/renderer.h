@@ -2,6 +2,7 @@
 // Draws frames. Owns everything on the GL side; lives on the thread that made its context current.
 #pragma once
 
+#include "render/compose/divider.h"
 #include "render/context/context.h"
 #include "render/frame.h"
 #include "render/gui/fonts.h"
@@ -15,6 +16,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -67,7 +69,8 @@ public:
   [[nodiscard]] const std::vector<TextBox>& measure(const Frame& frame, const ViewSettings& view);
   /// Where the panes of the last live picture are. They point into its frame.
   [[nodiscard]] const std::vector<PaneView>& panes() const;
-  [[nodiscard]] const Rect& panel() const; ///< and its panel
+  [[nodiscard]] const Rect& panel() const;                 ///< and its panel
+  [[nodiscard]] const std::optional<Split>& split() const; ///< and its divider
   [[nodiscard]] const gui::Fonts& fonts() const;
   /// Where the text of the last picture is.
   [[nodiscard]] const std::vector<TextBox>& labels() const;

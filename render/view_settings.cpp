@@ -54,6 +54,7 @@ void ViewSettings::describe(ParameterVisitor& v) {
     plotting.describe(v);
     v.choice({.name = "ledger", .help = "A table beside each pane: what every stage of a step changed."}, ledger,
              ledgers);
+    arrangement.describe(v);
     sheet.describe(v);
     v.flag({.name = "pointer", .help = "Draw the hand that moves the sliders of a timeline."}, pointer);
     v.flag({.name = "steady",

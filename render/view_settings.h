@@ -2,6 +2,7 @@
 // How a frame is drawn: the parameters below `view.`.
 #pragma once
 
+#include "render/compose/arrangement.h"
 #include "render/compose/sheet_settings.h"
 #include "render/views/look_settings.h"
 #include "render/views/plot_settings.h"
@@ -39,11 +40,12 @@ struct ViewSettings {
   double time_axis = 0;      ///< length of the plots' time axis (s), until the run outlasts it; 0: that of the run
   PlotSettings plotting;     ///< how the curves are drawn
   LedgerView ledger = LedgerView::off;
+  Arrangement arrangement;             ///< of the panes
   SheetSettings sheet;                 ///< of layout = "sheet"
   bool pointer = true, steady = false; ///< of a timeline: the hand on the sliders; the size of a tank that turns
 
   void describe(ParameterVisitor& v);
-  [[nodiscard]] bool is_sheet() const { return sheet.layout == Placing::sheet; }
+  [[nodiscard]] bool is_sheet() const { return arrangement.layout == Placing::sheet; }
   /// What the simulation must publish for these settings.
   [[nodiscard]] FrameRequest request() const;
 

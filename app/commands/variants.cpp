@@ -84,7 +84,7 @@ std::vector<Changes> vary_variants(const std::string& text) {
 bool uses(Study study, const Changes& pane, const std::string& path) {
   study.variants = {{"", pane, {}}};
   study.keys.clear();
-  Settings settings = resolve(study).variants.front().scene.settings;
+  Settings settings = resolve_unarranged(study).variants.front().scene.settings;
   const std::vector<Parameter> all = parameters_of(settings);
   return std::any_of(all.begin(), all.end(), [&](const Parameter& p) { return p.path == path && p.applies; });
 }
@@ -135,7 +135,7 @@ void refuse_overlap(const Study& study, const std::vector<Changes>& panes) {
 void complete_cells(Assignment& change, const Study& study) {
   const double* along_x = std::get_if<double>(&change.value);
   if (change.path != "grid.cells" || !along_x) return;
-  const Settings settings = resolve(study).variants.front().scene.settings;
+  const Settings settings = resolve_unarranged(study).variants.front().scene.settings;
   const std::size_t axes = static_cast<std::size_t>(settings.dim);
   const auto along = [&](std::size_t axis, double n) { return n * settings.grid.size[axis] / settings.grid.size[0]; };
   const auto whole = [&](double n) {

@@ -11,9 +11,9 @@ bool names(std::string_view wanted, std::string_view path) {
          (path.size() > wanted.size() && path.ends_with(wanted) && path[path.size() - wanted.size() - 1] == '.');
 }
 
-const Parameter* find(const Snapshot& s, std::string_view path) {
-  for (const Parameter& p : s.parameters)
-    if (p.path == path) return p.applies ? &p : nullptr;
+std::shared_ptr<const Parameter> find(const std::shared_ptr<const Snapshot>& s, std::string_view path) {
+  for (const Parameter& p : s->parameters)
+    if (p.path == path) return p.applies ? std::shared_ptr<const Parameter>(s, &p) : nullptr;
   return nullptr;
 }
 
@@ -39,17 +39,28 @@ std::vector<std::string> chosen_paths(const render::Frame& frame, const render::
   return chosen;
 }
 
+/// What the timeline moves of the view and the panel shows: the rows come first, as a reader looks for the hand there.
+std::vector<PanelGroup> groups_of_view(const render::Frame& frame, render::ViewSettings view) {
+  std::vector<PanelGroup> groups;
+  for (Parameter& p : parameters_of(view))
+    if (p.applies && is_moved(frame, p.path)) {
+      const std::string path = p.path;
+      groups.push_back({path, {{std::make_shared<const Parameter>(std::move(p)), -1}}});
+    }
+  return groups;
+}
+
 PanelGroup group_of(const render::Frame& frame, const std::string& path) {
   PanelGroup group{path, {}};
   bool same = true;
   for (std::size_t i = 0; i < frame.panes.size(); ++i) {
-    const Parameter* p = find(*frame.panes[i].snapshot, path);
+    auto p = find(frame.panes[i].snapshot, path);
     if (p == nullptr) {
       same = false;
       continue;
     }
-    group.rows.push_back({p, static_cast<int>(i)});
-    same = same && p->value == group.rows.front().parameter->value;
+    group.rows.push_back({std::move(p), static_cast<int>(i)});
+    same = same && group.rows.back().parameter->value == group.rows.front().parameter->value;
   }
   const bool apart = std::any_of(frame.pointer.begin(), frame.pointer.end(),
                                  [&](const auto& t) { return t.path == path && t.variant >= 0; });
@@ -63,7 +74,7 @@ PanelGroup group_of(const render::Frame& frame, const std::string& path) {
 } // namespace
 
 std::vector<PanelGroup> panel_groups(const render::Frame& frame, const render::ViewSettings& view) {
-  std::vector<PanelGroup> groups;
+  std::vector<PanelGroup> groups = groups_of_view(frame, view);
   for (const std::string& path : chosen_paths(frame, view)) groups.push_back(group_of(frame, path));
   // A short panel leaves out what comes last: first what the timeline moves, then what differs between the panes.
   const auto rank = [&](const PanelGroup& g) { return is_moved(frame, g.path) ? 0 : g.rows[0].variant >= 0 ? 1 : 2; };

@@ -6,12 +6,16 @@
 
 #include "render/renderer.h"
 
+#include <memory>
+#include <string>
+#include <vector>
+
 namespace flipbook::app {
 
 /// One line of the panel.
 struct PanelRow {
-  const Parameter* parameter;
-  int variant; ///< -1: all panes
+  std::shared_ptr<const Parameter> parameter; ///< of a snapshot, which it keeps, or of the view
+  int variant;                                ///< -1: all panes
 };
 
 /// The rows of one parameter: one that stands for all panes, or one for each pane that has it.
@@ -20,8 +24,7 @@ struct PanelGroup {
   std::vector<PanelRow> rows;
 };
 
-/// What the panel shows, in order: what the timeline moves, what differs between the panes, what they share. It points
-/// into the snapshots of `frame`.
+/// What the panel shows, in order: what the timeline moves, what differs between the panes, what they share.
 [[nodiscard]] std::vector<PanelGroup> panel_groups(const render::Frame& frame, const render::ViewSettings& view);
 
 [[nodiscard]] render::PanelBuilder make_panel();

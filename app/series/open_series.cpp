@@ -131,6 +131,7 @@ OpenedSeries open_series(const std::string& folder, const std::vector<Assignment
   opened.times = series.times;
   for (const Assignment& a : series.view) set(r.view, a, mistakes);
   std::vector<std::string> channels;
+  std::vector<Domain> domains;
   for (const SeriesVariant& v : series.variants) {
     ResolvedVariant variant{v.label, {}, nullptr};
     apply(variant.scene.settings, v.parameters, mistakes);
@@ -142,10 +143,13 @@ OpenedSeries open_series(const std::string& folder, const std::vector<Assignment
       variant.recording = std::move(other);
     }
     r.variants.push_back(std::move(variant));
+    domains.push_back({v.dim, v.size, v.lo});
     if (channels.empty() || v.dim == 2) channels = recorded_channels(v.dim);
   }
   apply_changes(changes, r, mistakes);
   if (const ViewMistake m = check_view(r.view); !m.path.empty()) mistakes.add(m.refusal.message, {}, m.refusal.nearest);
+  if (const ArrangementMistake m = check_arrangement(r.view, domains); !m.refusal.message.empty())
+    mistakes.add(m.refusal.message);
   fit_view(changes, channels, opened, mistakes);
   mistakes.raise();
   limit_frames(opened);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/study/resolve.h"
 
+#include "app/study/arrangement_check.h"
 #include "app/study/paths.h"
 #include "app/study/titles.h"
 #include "sim/scene/preset.h"
@@ -69,17 +70,26 @@ std::vector<KeyTarget> key_targets(const Resolved& resolved) {
   return targets;
 }
 
+/// Where the last of these was given, if any was.
+Location last_of(const std::vector<Assignment>& all, const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    const auto at = std::find_if(all.rbegin(), all.rend(), [&](auto& a) { return a.path == path; });
+    if (at != all.rend()) return at->where;
+  }
+  return {};
+}
+
 /// The view of the scene, and over it that of the study.
 void resolve_view(const Study& study, Resolved& resolved, Mistakes& mistakes) {
   std::vector<Assignment> all = checked(resolved.variants.front().scene.view, check_path, {}, mistakes);
   apply_to(resolved.view, all, mistakes);
   const std::vector<Assignment> own = checked(study.view, check_path, {}, mistakes);
   change_view(resolved.view, own, mistakes);
-  const ViewMistake mistake = check_view(resolved.view);
-  if (mistake.path.empty()) return;
   all.insert(all.end(), own.begin(), own.end());
-  const auto at = std::find_if(all.rbegin(), all.rend(), [&](auto& a) { return a.path == mistake.path; });
-  mistakes.add(mistake.refusal.message, at == all.rend() ? Location{} : at->where, mistake.refusal.nearest);
+  if (const ViewMistake m = check_view(resolved.view); !m.path.empty())
+    mistakes.add(m.refusal.message, last_of(all, {m.path}), m.refusal.nearest);
+  if (const ArrangementMistake m = check_arrangement(resolved.view, resolved.domains()); !m.refusal.message.empty())
+    mistakes.add(m.refusal.message, last_of(all, m.paths));
 }
 
 void resolve_output(const Study& study, Resolved& resolved, Mistakes& mistakes) {
@@ -87,8 +97,7 @@ void resolve_output(const Study& study, Resolved& resolved, Mistakes& mistakes) 
   apply_to(resolved.output, all, mistakes);
   const Refusal r = check_output(resolved.output);
   if (r.message.empty()) return;
-  const auto at = std::find_if(all.rbegin(), all.rend(), [](auto& a) { return a.path == "output.ledger"; });
-  mistakes.add(r.message, at == all.rend() ? Location{} : at->where);
+  mistakes.add(r.message, last_of(all, {"output.ledger"}));
 }
 
 /// Those of the scene and of the study; each must belong to a curve that there is.
@@ -138,6 +147,7 @@ void resolve_length(const Scene& scene, double notes, Resolved& r) {
 struct Edited {
   std::vector<Settings> settings;
   render::ViewSettings view;
+  std::vector<Domain> domains;
 
   /// Makes the change; the mistake in it, or an empty message.
   Refusal set(const Edit& edit, const SetParameter& change) {
@@ -145,6 +155,7 @@ struct Edited {
     if (is_view(change.path)) {
       if (edit.pane > 0) return {"the panes share the view: an edit of " + change.path + " cannot name a pane", ""};
       if (Refusal r = set_parameter(view, change.path, change.value); !r.message.empty()) return r;
+      if (ArrangementMistake m = check_arrangement(view, domains); m.is_of(change.path)) return m.refusal;
       ViewMistake m = check_view(view);
       return m.path == change.path ? m.refusal : Refusal{};
     }
@@ -165,7 +176,7 @@ private:
 
 void resolve_edits(const Study& study, Resolved& resolved, Mistakes& mistakes) {
   static const std::vector<std::string> own{"t", "pane", "push", "add", "remove", "move"};
-  Edited now{{}, resolved.view};
+  Edited now{{}, resolved.view, resolved.domains()};
   for (const ResolvedVariant& v : resolved.variants) now.settings.push_back(v.scene.settings);
   for (const Edit& edit : study.edits) {
     Refusal refusal;
@@ -201,6 +212,12 @@ void change_view(render::ViewSettings& view, std::span<const Assignment> changes
   if (!ranged && view.colour == colour_before) view.range = range_before;
 }
 
+std::vector<Domain> Resolved::domains() const {
+  std::vector<Domain> all;
+  for (const ResolvedVariant& v : variants) all.push_back(domain_of(v.scene.settings));
+  return all;
+}
+
 std::uint64_t frame_at(const Resolved& resolved, double time) {
   auto k = static_cast<std::uint64_t>(std::max(0.0, std::floor(time / resolved.scale * resolved.output.fps)));
   while (k > 0 && resolved.time_of(k - 1) >= time) --k; // but for rounding
@@ -233,9 +250,23 @@ Resolved resolve(const Study& study) {
   return resolved;
 }
 
+Resolved resolve_unarranged(Study study) {
+  const auto arranges = [](const std::string& path, const Value& value) {
+    if (path == "view.layout") return value != Value(std::string("sheet")); // that one has more panes
+    return path == "view.large" || path == "view.pair" || path == "view.difference";
+  };
+  std::erase_if(study.view, [&](const Assignment& a) { return arranges(a.path, a.value); });
+  std::erase_if(study.keys, [&](const Key& k) { return arranges(k.path, k.value); });
+  std::erase_if(study.edits, [&](const Edit& e) {
+    const auto* change = std::get_if<SetParameter>(&e.action);
+    return change && arranges(change->path, change->value);
+  });
+  return resolve(study);
+}
+
 void pin_keys(Study& study) {
   if (std::none_of(study.keys.begin(), study.keys.end(), [](const Key& k) { return !k.variant.empty(); })) return;
-  const std::vector<KeyTarget> targets = key_targets(resolve(study));
+  const std::vector<KeyTarget> targets = key_targets(resolve_unarranged(study));
   for (Key& key : study.keys) {
     for (std::size_t i = 0; i < targets.size() && !key.variant.empty(); ++i)
       if (targets[i].is_called(key.variant)) key.panes.push_back(static_cast<int>(i) + 1);

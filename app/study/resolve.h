@@ -5,6 +5,7 @@
 // number of steps that the fluid notes' rule makes of that interval, so that every frame ends a step.
 #pragma once
 
+#include "app/study/arrangement_check.h"
 #include "app/study/output_settings.h"
 #include "app/study/study.h"
 #include "app/study/timeline.h"
@@ -42,6 +43,8 @@ struct Resolved {
   [[nodiscard]] double time_of(std::uint64_t frame) const { return static_cast<double>(frame) * scale / output.fps; }
   /// What the pictures need of the simulations, over the whole run.
   [[nodiscard]] FrameRequest request() const { return timeline.request(view); }
+  /// Of each pane.
+  [[nodiscard]] std::vector<Domain> domains() const;
   [[nodiscard]] CommandLog commands() const { return timeline.commands(output.fps, scale, frames); }
 };
 
@@ -53,6 +56,10 @@ void change_view(render::ViewSettings& view, std::span<const Assignment> changes
 
 /// Throws one UserError of all mistakes.
 [[nodiscard]] Resolved resolve(const Study& study);
+
+/// The same for what asks about the variants, while there are others than the view was written for: their number and
+/// domains need not suit how it arranges them.
+[[nodiscard]] Resolved resolve_unarranged(Study study);
 
 /// Makes keys name their variants by number, so that they mean the same ones whatever changes of them and their titles.
 void pin_keys(Study& study);

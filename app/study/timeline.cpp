@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/study/timeline.h"
 
+#include "app/study/arrangement_check.h"
 #include "app/study/paths.h"
 #include "sim/frame/text.h"
 
@@ -51,6 +52,11 @@ struct Timeline::Run {
   bool lenient;
   std::size_t index = 0; ///< of the present key
 
+  [[nodiscard]] std::vector<Domain> domains() const {
+    std::vector<Domain> all;
+    for (const KeyTarget& v : variants) all.push_back(domain_of(v.settings));
+    return all;
+  }
   /// The variants that a key names, or all of them.
   [[nodiscard]] std::vector<std::size_t> named(const Key& key, Mistakes& mistakes) const {
     std::vector<std::size_t> chosen;
@@ -114,9 +120,12 @@ void Timeline::add_to_view(const Key& key, Run& run, Mistakes& mistakes) {
     return mistakes.add(r.message, key.where, r.nearest);
   if (const ViewMistake m = check_view(run.view); m.path == key.path)
     return mistakes.add(m.refusal.message, key.where, m.refusal.nearest);
+  if (const ArrangementMistake m = check_arrangement(run.view, run.domains()); m.is_of(key.path))
+    return mistakes.add(m.refusal.message, key.where);
   Track& t = track(whole_view, before);
   extend(t, key, before.value, now().value);
   tell(key, run, {{t.segments.back(), whole_view}});
+  if (before.level == Level::teach) grips_.push_back({key.t, key.over, key.path, whole_view}); // its row is shown
   if (key.path == "view.colour") free_range(key, run);
 }
 
@@ -259,14 +268,18 @@ void merge(FrameRequest& request, const FrameRequest& other) {
 }
 
 FrameRequest Timeline::request(const render::ViewSettings& initial) const {
-  FrameRequest all = initial.request();
+  FrameRequest all;
   // What is published depends on choices and flags, and those only change where a move begins or ends.
+  for (const render::ViewSettings& v : views(initial)) merge(all, v.request());
+  return all;
+}
+
+std::vector<render::ViewSettings> Timeline::views(const render::ViewSettings& initial) const {
+  std::vector<render::ViewSettings> all{initial};
   for (const Track& t : tracks_)
     for (const Segment& s : t.segments)
-      for (const double time : {s.t, s.t + s.over}) {
-        if (t.variant != whole_view) continue;
-        merge(all, view(time, initial).request());
-      }
+      if (t.variant == whole_view)
+        for (const double time : {s.t, s.t + s.over}) all.push_back(view(time, initial));
   return all;
 }
 

@@ -48,6 +48,8 @@ public:
 
   /// The view at a time; `initial` is that at the start.
   [[nodiscard]] render::ViewSettings view(double time, const render::ViewSettings& initial) const;
+  /// The one at the start, and that where each key's move begins or ends.
+  [[nodiscard]] std::vector<render::ViewSettings> views(const render::ViewSettings& initial) const;
   /// Does a key move this parameter, of the view or of a variant?
   [[nodiscard]] bool moves(const std::string& path) const;
   /// What the simulation must publish for all views that the keys make of `initial`.

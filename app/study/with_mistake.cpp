@@ -28,7 +28,7 @@ Variant twin_of(Variant v, const museum::Hung& hung) {
 
 Study with_mistake(Study study, const museum::Choice& choice) {
   pin_keys(study);
-  const Resolved resolved = resolve(study);
+  const Resolved resolved = resolve_unarranged(study);
   const museum::Hung hung = museum::hang(choice, settle(choice, resolved));
   std::vector<Variant> panes;
   std::vector<std::vector<int>> became; // numbers, from 1, of each pane and its twin

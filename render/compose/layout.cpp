@@ -1,66 +1,74 @@
 // SPDX-License-Identifier: MIT
 #include "render/compose/layout.h"
 
+#include "render/compose/box_grid.h"
+
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace flipbook::render {
 namespace {
 
 // In points.
-constexpr float margin = 20, gap = 14, header_height = 30, header_gap = 14, title_height = 20, caption_height = 17;
-constexpr float legend_height = 18, footer_height = 16, widest_gap = 44, least_plot = 84, least_side = 230;
-constexpr float most_row_gap = 22, pane_padding = 5, small_padding = 3, small_pane = 200;
-constexpr float table_gap = 12, least_pane = 110; // a pane beside or above a table
-constexpr float fair_pane = 200;                  // below it plots give way to tables
-constexpr float least_plots = 0.75F;              // to this share of their height
-constexpr float least_share = 0.4F;               // of the magnification that panes would have without tables
-constexpr float full_rows = 1.15F;                // panes may be as much smaller where no row has a hole
+constexpr float margin = 20, header_height = 30, header_gap = 14;
+constexpr float legend_height = 18, footer_height = 16, least_plot = 84, least_side = 230;
+constexpr float fair_pane = 200;     // below it plots give way to tables
+constexpr float least_plots = 0.75F; // to this share of their height
+// Small panes beside a large one: what they should have at least, of a square as large or of the large one; what they
+// may have where that costs nothing; and what would be too much.
+constexpr float readable_small = 48; // beside a large one with tables
+constexpr float least_small = 84, small_share = 0.26F, ample_share = 0.6F, most_share = 0.75F;
 
-struct Grid {
-  std::size_t columns = 1, rows = 1;
-  float magnification = 0; ///< pixels for each unit of the domain
-  float padding = 0;
-  int tables = -1; ///< which form of them; -1: none
-  bool beside = false;
-  float score = 0; ///< what is compared: magnification, by the worth of the tables and of rows without a hole
+/// How the panes share an area: in one grid, or a large one and a grid of small ones.
+struct Plan {
+  BoxGrid main; ///< of all panes, or the large one alone
+  BoxGrid small;
+  bool beside = false; ///< the small ones stand at the right of the large one, not below it
+  float strip = 0;     ///< what they get, pixels
+  float score = 0;
 };
 
 class Arranger {
 public:
-  explicit Arranger(const LayoutRequest& r) : r_(r) {}
+  explicit Arranger(const LayoutRequest& r) : r_(r), rules_(r) {
+    const bool bar_large = r.large && r.bar == r.large;
+    main_ = {r.captions || (r.bar && (!r.large || bar_large)), r.large ? (bar_large ? 0 : r.tables_of_large) : 1};
+    small_ = {r.bar.has_value() && !bar_large, 0};
+  }
 
   Layout run() {
+    out_.panes.resize(r_.panes);
     Rect body = header_and_borders();
     const bool plots = r_.plots > 0 && r_.plot_height > 0;
     if (!plots) {
-      place_panes(body, best_grid(body), widest_gap, 0.5F);
+      place_panes(body, best_plan(body), widest_box_gap, 0.5F);
       return std::move(out_);
     }
     const Rect beside = left(body);
     Rect above = upper(body, 1);
-    Grid below_grid = best_grid(above);
-    const Grid side_grid = best_grid(beside);
-    if (!r_.tables.empty() &&
-        (below_grid.tables < 0 || side_of(below_grid) < pt(fair_pane))) { // tables are paid for by plots, too
-      above = upper(body, least_plots);
-      below_grid = best_grid(above);
+    Plan below_plan = best_plan(above);
+    const Plan side_plan = best_plan(beside);
+    if (!r_.tables.empty() && (below_plan.main.tables < 0 || rules_.side_of(below_plan.main) < pt(fair_pane))) {
+      above = upper(body, least_plots); // tables are paid for by plots, too
+      below_plan = best_plan(above);
     }
     // Reading order is clearer with the plots below: beside has to gain something.
-    if (side_grid.score > 1.1F * below_grid.score) {
-      const Rect used = place_panes(beside, side_grid, gap, 0);
-      const float x = used.right() + pt(gap + 10);
+    if (side_plan.score > 1.1F * below_plan.score) {
+      const Rect used = place_panes(beside, side_plan, box_gap, 0);
+      const float x = used.right() + pt(box_gap + 10);
       place_plots({x, body.y, body.right() - x, body.h});
     } else {
-      const Rect used = place_panes(above, below_grid, widest_gap, 0.5F);
+      const Rect used = place_panes(above, below_plan, widest_box_gap, 0.5F);
       // What the panes cannot use makes the plots taller, up to a point.
-      const float y = used.bottom() + pt(gap);
+      const float y = used.bottom() + pt(box_gap);
       place_plots({body.x, y, body.w, std::min(body.bottom() - y, 0.62F * body.h)});
     }
     return std::move(out_);
   }
 
 private:
-  [[nodiscard]] float pt(float points) const { return std::round(points * r_.scale); }
+  [[nodiscard]] float pt(float points) const { return rules_.pt(points); }
 
   /// Places what surrounds the body and returns the body.
   Rect header_and_borders() {
@@ -93,101 +101,94 @@ private:
 
   [[nodiscard]] Rect upper(const Rect& body, float share) const {
     const float wanted = share * static_cast<float>(r_.plot_height) * static_cast<float>(r_.height);
-    const float h = std::min(std::max(wanted, pt(least_plot)), 0.6F * body.h);
-    return {body.x, body.y, body.w, body.h - h - pt(gap)};
+    // Plots that give way keep what a legend of several lines takes.
+    const float legend = std::accumulate(r_.legend.begin(), r_.legend.end(), 0.F);
+    const float more_lines = share < 1 ? std::max(0.F, std::ceil(legend / body.w) - 1) : 0;
+    const float h = std::min(std::max(wanted, pt(least_plot)) + more_lines * pt(legend_height), 0.6F * body.h);
+    return {body.x, body.y, body.w, body.h - h - pt(box_gap)};
   }
   [[nodiscard]] Rect left(const Rect& body) const {
     const float w = std::max(pt(least_side), 0.3F * body.w);
-    return {body.x, body.y, body.w - w - pt(gap + 10), body.h};
+    return {body.x, body.y, body.w - w - pt(box_gap + 10), body.h};
   }
 
-  [[nodiscard]] float above_frame() const { return pt(title_height); }
-  [[nodiscard]] float below_frame() const { return r_.captions ? pt(caption_height) : 0; }
-
-  /// The grid with the largest panes, without a hole in its last row if that costs little; each with a table of this
-  /// size beside it, below it, or without one.
-  [[nodiscard]] Grid best_grid(const Rect& area, const TableSize& table, bool beside) const {
-    Grid best;
-    const float taken_w = beside ? table.width + pt(table_gap) : 0;
-    const float taken_h = beside || table.height == 0 ? 0 : table.height + pt(table_gap);
-    for (std::size_t columns = 1; columns <= r_.panes; ++columns) {
-      const std::size_t rows = (r_.panes + columns - 1) / columns;
-      const auto c = static_cast<float>(columns), n = static_cast<float>(rows);
-      const float cell_w = (area.w - (c - 1) * pt(gap)) / c, cell_h = (area.h - (n - 1) * pt(gap)) / n;
-      if (cell_w < table.width || (beside && cell_h - above_frame() < table.height)) continue;
-      const float w = cell_w - taken_w, h = cell_h - above_frame() - below_frame() - taken_h;
-      const float padding = pt(std::min(w, h) < pt(small_pane) ? small_padding : pane_padding);
-      const float m = std::min((w - 2 * padding) / static_cast<float>(r_.domain_width),
-                               (h - 2 * padding) / static_cast<float>(r_.domain_height));
-      const float score = columns * rows == r_.panes ? full_rows * m : m;
-      if (score > best.score * 1.0001F) best = {columns, rows, m, padding, -1, beside, score};
-    }
-    return best;
+  [[nodiscard]] Plan best_plan(const Rect& area) const {
+    if (r_.large && r_.panes > 1) return best_large(area);
+    const BoxGrid grid = rules_.best(area, r_.panes, main_);
+    return {grid, {}, false, 0, grid.score};
   }
 
-  /// Of a square as large as a pane.
-  [[nodiscard]] float side_of(const Grid& grid) const {
-    return grid.magnification * static_cast<float>(std::sqrt(r_.domain_width * r_.domain_height));
+  /// Where the small panes stand and how much they get: the large one is to be as large as possible while they can
+  /// still be read, and they larger where that costs it nothing. Tables go where they leave no room for that.
+  [[nodiscard]] Plan best_large(const Rect& area) const {
+    if (const Plan plan = best_large(area, main_); plan.score > 0) return plan;
+    Plan without = best_large(area, {main_.line, 0});
+    without.score *= 1e-3F; // where another place for the plots has room for tables, that one is taken
+    if (without.score > 0) return without;
+    return {rules_.best(area, 1, main_), {}, true, 0.25F * area.w, 0};
   }
 
-  /// With tables where the panes stay large enough to be looked at. Of two forms the one that shows more may leave the
-  /// panes smaller, by its worth.
-  [[nodiscard]] Grid best_grid(const Rect& area) const {
-    Grid best = best_grid(area, {}, false);
-    if (r_.tables.empty()) return best;
-    const float alone = best.magnification;
-    best.score = 0;
-    for (std::size_t i = 0; i < r_.tables.size(); ++i)
-      for (const bool beside : {false, true}) {
-        Grid grid = best_grid(area, r_.tables[i], beside);
-        grid.tables = static_cast<int>(i);
-        grid.score *= r_.tables[i].worth;
-        if (side_of(grid) >= pt(least_pane) && grid.magnification >= least_share * alone &&
-            grid.score > best.score * 1.0001F)
-          best = grid;
+  [[nodiscard]] Plan best_large(const Rect& area, const BoxKind& kind) const {
+    Plan best;
+    constexpr int parts = 64;
+    for (const bool beside : {true, false})
+      for (int k = parts / 12; k < parts / 2; ++k) {
+        const float strip = std::floor((beside ? area.w : area.h) * static_cast<float>(k) / parts);
+        const auto [large, rest] = parted(area, beside, strip);
+        Plan plan{rules_.best(large, 1, kind), rules_.best(rest, r_.panes - 1, small_), beside, strip, 0};
+        plan.score = worth(plan);
+        if (plan.score > best.score * 1.0001F) best = plan;
       }
     return best;
   }
 
-  [[nodiscard]] float spread(float spare, float gaps, float most) const {
-    return gaps > 0 ? std::floor(std::clamp(spare / gaps, pt(gap), pt(most))) : 0;
+  [[nodiscard]] float worth(const Plan& plan) const {
+    const float s = rules_.side_of(plan.small), l = rules_.side_of(plan.main);
+    if (!(s > 0) || !(l > 0) || (plan.main.tables >= 0 && s < pt(readable_small))) return 0;
+    const float lacks = std::min(1.F, s / std::max(pt(least_small), small_share * l));
+    const float ample = 1 + 0.1F * std::min(1.F, s / (ample_share * l));
+    const float outdone = std::min(1.F, most_share * l / s); // it is to look large
+    return plan.main.score * lacks * lacks * ample * outdone * outdone;
+  }
+
+  /// An area for the large pane and one for the small ones.
+  [[nodiscard]] std::pair<Rect, Rect> parted(const Rect& area, bool beside, float strip) const {
+    const float gap = pt(box_gap + 4);
+    if (beside) return {{area.x, area.y, area.w - strip - gap, area.h}, {area.right() - strip, area.y, strip, area.h}};
+    return {{area.x, area.y, area.w, area.h - strip - gap}, {area.x, area.bottom() - strip, area.w, strip}};
   }
 
   /// Places the panes from the top, with this share of the free width on their left, and returns the rectangle they
-  /// use. A short last row begins at the left as any row of text.
-  Rect place_panes(const Rect& area, const Grid& grid, float most_gap_x, float indent) {
-    out_.padding = grid.padding;
-    const float frame_w = std::floor(grid.magnification * static_cast<float>(r_.domain_width)) + 2 * grid.padding;
-    const float frame_h = std::floor(grid.magnification * static_cast<float>(r_.domain_height)) + 2 * grid.padding;
-    const TableSize table = grid.tables < 0 ? TableSize{} : r_.tables[static_cast<std::size_t>(grid.tables)];
-    const float between = grid.tables < 0 ? 0 : pt(table_gap);
-    const float pane_h = frame_h + below_frame();
-    const float cell_w = grid.beside ? frame_w + between + table.width : std::max(frame_w, table.width);
-    const float cell_h =
-        above_frame() + (grid.beside ? std::max(pane_h, table.height) : pane_h + between + table.height);
-    out_.tables = grid.tables;
-    const auto c = static_cast<float>(grid.columns), n = static_cast<float>(grid.rows);
-    const float gap_x = spread(area.w - c * cell_w, c - 1, most_gap_x),
-                gap_y = spread(area.h - n * cell_h, n - 1, most_row_gap);
-    const float used_w = c * cell_w + (c - 1) * gap_x, used_h = n * cell_h + (n - 1) * gap_y;
-    const float x0 = std::round(area.x + std::max(0.F, area.w - used_w) * indent), y0 = area.y;
-    for (std::size_t i = 0; i < r_.panes; ++i) {
-      const float x = std::round(x0 + static_cast<float>(i % grid.columns) * (cell_w + gap_x));
-      const float y = y0 + static_cast<float>(i / grid.columns) * (cell_h + gap_y);
-      PaneBox box;
-      // Text may use what is free beside the frame.
-      const float end = indent > 0 ? area.right() : x0 + used_w;
-      const float text_w = std::max(cell_w, std::min(cell_w + gap_x - pt(gap), end - x));
-      box.title = {x, y, text_w, above_frame()};
-      box.frame = {x, y + above_frame(), frame_w, frame_h};
-      if (r_.captions) box.caption = {x, box.frame.bottom(), grid.beside ? frame_w : text_w, below_frame()};
-      if (grid.tables >= 0)
-        box.table = grid.beside
-                        ? Rect{x + frame_w + between, box.frame.y, table.width, cell_h - above_frame()}
-                        : Rect{x, box.frame.y + pane_h + between, std::min(text_w, 1.2F * cell_w), table.height};
-      out_.panes.push_back(box);
+  /// use.
+  Rect place_panes(const Rect& area, const Plan& plan, float most_gap_x, float indent) {
+    out_.tables = plan.main.tables;
+    std::vector<PaneBox*> main, small;
+    for (std::size_t i = 0; i < r_.panes; ++i)
+      (r_.large && r_.panes > 1 && i != *r_.large ? small : main).push_back(&out_.panes[i]);
+    if (small.empty()) return rules_.place(area, plan.main, main_, most_gap_x, indent, main);
+    const auto [large, rest] = parted(area, plan.beside, plan.strip);
+    if (!plan.beside) {
+      const Rect used = rules_.place(large, plan.main, main_, most_gap_x, indent, main);
+      const Rect row{rest.x, used.bottom() + rest.y - large.bottom(), rest.w, rest.h};
+      const Rect below = rules_.place(row, plan.small, small_, most_gap_x, indent, small);
+      return joined(used, below);
     }
-    return {x0, y0, used_w, used_h};
+    // Side by side they are one block.
+    Rect used = rules_.place(large, plan.main, main_, most_gap_x, 0, main);
+    const float gap = rest.x - large.right();
+    Rect column{used.right() + gap, rest.y, rest.w, std::max(used.h, rest.h)};
+    const Rect beside = rules_.place(column, plan.small, small_, box_gap, 0, small);
+    const float shift = std::round(std::max(0.F, area.right() - beside.right()) * indent);
+    for (PaneBox& box : out_.panes)
+      for (Rect* r : {&box.title, &box.frame, &box.caption, &box.table, &box.second_table}) r->x += shift;
+    used = joined(used, beside);
+    used.x += shift;
+    return used;
+  }
+
+  [[nodiscard]] static Rect joined(const Rect& a, const Rect& b) {
+    const float x = std::min(a.x, b.x), y = std::min(a.y, b.y);
+    return {x, y, std::max(a.right(), b.right()) - x, std::max(a.bottom(), b.bottom()) - y};
   }
 
   /// Entries of the legend from the first to before the last in one line, which none leaves.
@@ -265,6 +266,8 @@ private:
   }
 
   const LayoutRequest& r_;
+  const BoxRules rules_;
+  BoxKind main_, small_; ///< all panes or the large one; the small ones
   Layout out_;
 };
 

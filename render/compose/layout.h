@@ -12,10 +12,13 @@
 //   |plot| |plot| |plot|    |         |
 //   +----+ +----+ +----+    +---------+
 //   warnings and notes
+//
+// One pane may be large: it gets what the others leave, who stand beside or below it and are as small as can be read.
 #pragma once
 
 #include "render/shapes.h"
 
+#include <optional>
 #include <vector>
 
 namespace flipbook::render {
@@ -30,7 +33,9 @@ struct TableSize {
 struct LayoutRequest {
   int width = 1280, height = 720;
   float scale = 1;                            ///< pixels of a point
-  std::size_t panes = 1;                      ///< at least 1
+  std::size_t panes = 1;                      ///< boxes that hold panes; at least 1
+  std::optional<std::size_t> large;           ///< the one that is larger than the others
+  std::optional<std::size_t> bar;             ///< the one that has a colour bar of its own, in the line below it
   double domain_width = 1, domain_height = 1; ///< the shape every pane must be able to hold
   bool captions = true, panel = true;
   std::size_t plots = 4;
@@ -40,12 +45,14 @@ struct LayoutRequest {
       0; ///< how many of them, the last ones, are others' curves: if need be on a line of their own
   std::size_t footer_lines = 0;
   std::vector<TableSize> tables;    ///< one form of them is placed if there is room; empty: no tables
+  std::size_t tables_of_large = 1;  ///< a split pane has two; beside a large one the small ones have none
   float colour_label = 0, time = 0; ///< widths of the texts in the header, pixels; no label: no colour bar
 };
 
 struct PaneBox {
   Rect title, frame, caption;
-  Rect table; ///< empty where none is shown
+  Rect table, second_table; ///< empty where none is shown
+  float padding = 0;        ///< between the frame and the domain, pixels; less in small panes
 };
 
 struct Layout {
@@ -53,8 +60,7 @@ struct Layout {
   std::vector<PaneBox> panes;
   std::vector<Rect> legend, plots;
   Rect panel, footer;
-  int tables = -1;   ///< which of the forms is shown; -1: none
-  float padding = 0; ///< between a pane's frame and the domain, pixels; less in small panes
+  int tables = -1; ///< which of the forms is shown; -1: none
 };
 
 /// Pixels of a point for a picture of this size: 1 at 1280x720, never so small that text cannot be read.

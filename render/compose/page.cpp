@@ -49,11 +49,6 @@ std::string no_room(const LayoutRequest& r) {
   return text;
 }
 
-/// Width and height of the domain as it is seen, in metres or, in 3D, in any unit.
-std::array<double, 2> extent(const Snapshot& s, const ViewSettings& view, bool turning) {
-  return s.dim == 2 ? std::array{s.hi[0] - s.lo[0], s.hi[1] - s.lo[1]} : seen_shape(s, view, turning);
-}
-
 } // namespace
 
 Page::Page(const Frame& frame, const ViewSettings& view, const gui::Fonts& fonts, int width, int height)
@@ -62,14 +57,19 @@ Page::Page(const Frame& frame, const ViewSettings& view, const gui::Fonts& fonts
       legend_(frame, plots_) {
   if (view.is_sheet()) sheet_.emplace(frame, view, fonts);
   collect_footer();
+  boxes_ = boxes_of(frame, view, warnings_);
+  if (boxes_.difference) difference_.emplace(frame, view, *boxes_.pair);
   LayoutRequest r;
   r.width = width;
   r.height = height;
   r.scale = fonts.scale();
-  r.panes = frame.panes.size();
+  r.panes = boxes_.count;
+  r.large = boxes_.large;
+  r.bar = boxes_.difference;
+  r.tables_of_large = boxes_.split ? 2 : 1;
   r.domain_width = r.domain_height = 0;
   for (const Pane& p : frame.panes) {
-    const auto [w, h] = extent(*p.snapshot, view, frame.turning);
+    const auto [w, h] = extent_of(*p.snapshot, view, frame.turning);
     const double diagonal = std::hypot(w, h); // domains of different size get the same room
     r.domain_width = std::max(r.domain_width, w / diagonal);
     r.domain_height = std::max(r.domain_height, h / diagonal);
@@ -95,7 +95,9 @@ void Page::arrange_parts(LayoutRequest& r, const gui::Fonts& fonts) {
     layout_ = arrange(r); // for what surrounds the panes
     return sheet_->arrange(r, layout_);
   }
-  if (view_.ledger != LedgerView::off) {
+  const bool without = boxes_.difference && boxes_.large == boxes_.difference;
+  if (view_.ledger != LedgerView::off && without) warnings_.emplace_back("view.ledger: a difference has no table");
+  if (view_.ledger != LedgerView::off && !without) {
     const std::vector<std::string> all_notes = notes_;
     share_notes();
     ledger_forms_ = ledger_forms(frame_, view_.ledger, fonts, pane_notes_);
@@ -111,40 +113,6 @@ void Page::arrange_parts(LayoutRequest& r, const gui::Fonts& fonts) {
   }
   r.footer_lines = footer_lines();
   layout_ = arrange(r);
-}
-
-void Page::fit_texts(const gui::Fonts& fonts) {
-  if (sheet_ && sheet_->named()) return;
-  std::vector<std::string> titles;
-  std::vector<float> widths;
-  for (const Pane& p : frame_.panes) titles.push_back(p.title);
-  for (const PaneBox& p : layout_.panes) widths.push_back(p.title.w);
-  titles_ = fit_titles(fonts, sheet_ ? Type::small : Type::strong, titles, widths);
-}
-
-/// Of a pane's frame. Those of a sheet are named by their places.
-Colour Page::colour_of(std::size_t pane) const {
-  return sheet_ ? palette_.accent : palette_.variant(pane);
-}
-
-void Page::place_domains() {
-  for (std::size_t i = 0; i < frame_.panes.size(); ++i) {
-    const Snapshot& s = *frame_.panes[i].snapshot;
-    const Rect& frame = layout_.panes[i].frame;
-    const Rect room = frame.inset(layout_.padding);
-    if (s.dim == 3) {
-      const Rect window = frame.inset(2 * layout_.padding); // corners of a tank want more room than walls
-      views_.push_back({&s, frame, window, 0, colour_of(i), Camera(s, view_, frame_.turning, window)});
-      continue;
-    }
-    const auto [w, h] = extent(s, view_, false);
-    const double metre = view_.zoom * std::min(static_cast<double>(room.w) / w, static_cast<double>(room.h) / h);
-    const auto dw = static_cast<float>(metre * w), dh = static_cast<float>(metre * h);
-    const auto left = static_cast<float>(view_.target[0]), above = static_cast<float>(1 - view_.target[1]);
-    const Rect domain{std::round(room.middle_x() - left * dw), std::round(room.middle_y() - above * dh), std::round(dw),
-                      std::round(dh)};
-    views_.push_back({&s, frame, domain, static_cast<float>(metre), colour_of(i)});
-  }
 }
 
 /// What a reader must know: warnings first, then the notes of the solvers, each once.
@@ -168,10 +136,15 @@ void Page::collect_footer() {
 /// rest below the table of its pane.
 void Page::share_notes() {
   std::vector<std::string> shared;
-  for (const std::string& note : notes_)
-    if (std::all_of(frame_.panes.begin(), frame_.panes.end(),
-                    [&](const Pane& p) { return contains(p.snapshot->notes, note); }))
-      shared.push_back(note);
+  for (const std::string& note : notes_) {
+    bool all = true, elsewhere = false; // where there is no table
+    for (std::size_t i = 0; i < frame_.panes.size(); ++i) {
+      const bool says = contains(frame_.panes[i].snapshot->notes, note);
+      all = all && says;
+      elsewhere = elsewhere || (says && !is_large(i));
+    }
+    if (all || elsewhere) shared.push_back(note);
+  }
   if (shared.size() == notes_.size()) return;
   for (const Pane& p : frame_.panes) {
     std::vector<std::string>& own = pane_notes_.emplace_back();
@@ -210,22 +183,38 @@ std::string Page::time_text(double time) const {
   return text.data() + unit;
 }
 
-void Page::draw_under(gui::Ink& ink) const {
-  for (const PaneView& v : views_) {
-    ink.fill(v.frame, palette_.pane, ink.pt(4));
-    if (v.camera)
-      draw_tank_behind(ink, v, palette_, view_.walls, view_.grid);
-    else
-      within(ink, v, [&] {
-        if (view_.look.cell_types && has_cell_types(*v.snapshot)) draw_cell_tints(ink, v, palette_);
-        if (view_.grid) draw_grid(ink, v, palette_);
-      });
+void Page::draw_behind(gui::Ink& ink, std::size_t pane) const {
+  const PaneView& v = views_[pane];
+  ink.fill(v.frame, palette_.pane, ink.pt(4));
+  if (v.camera) return draw_tank_behind(ink, v, palette_, view_.walls, view_.grid);
+  within(ink, v, [&] {
+    if (view_.look.cell_types && has_cell_types(*v.snapshot)) draw_cell_tints(ink, v, palette_);
+    if (view_.grid) draw_grid(ink, v, palette_);
+  });
+}
+
+void Page::draw_before(gui::Ink& ink, std::size_t pane) const {
+  const PaneView& v = views_[pane];
+  if (v.camera) {
+    if (view_.walls) draw_tank_before(ink, v, palette_);
+  } else {
+    within(ink, v, [&] {
+      draw_solid_areas(ink, v, palette_);
+      if (view_.look.cell_types && has_cell_types(*v.snapshot)) draw_cell_borders(ink, v, palette_);
+      if (view_.walls) draw_walls(ink, v, palette_);
+      if (view_.look.trails > 0) draw_trails(ink, v, view_.look.trails, palette_);
+      if (view_.arrows) draw_arrows(ink, v, palette_, arrow_speed_, view_.look.arrows_at);
+    });
   }
+  if (!v.snapshot->watermark.empty()) draw_watermark(ink, v.shown(), v.snapshot->watermark, palette_);
 }
 
 void Page::draw_over(gui::Ink& ink) const {
   draw_header(ink);
-  for (std::size_t i = 0; i < views_.size(); ++i) draw_pane(ink, i);
+  for (std::size_t i = 0; i < views_.size(); ++i) draw_around(ink, i);
+  if (split_)
+    draw_divider(ink, *split_, {palette_.variant(split_->panes[0]), palette_.variant(split_->panes[1])}, palette_);
+  if (difference_) draw_difference(ink);
   if (sheet_) sheet_->draw(ink, palette_);
   legend_.draw(ink, layout_.legend, palette_);
   draw_plots(ink, layout_.plots, plots_, frame_, view_.plotting, palette_);
@@ -243,8 +232,9 @@ std::string Page::caption(gui::Ink& ink, std::size_t i) const {
   const Snapshot& s = *frame_.panes[i].snapshot;
   if (s.steps == 0) return "start";
   if (s.time_unit != "s") return grouped(s.steps) + " round " + (s.steps == 1 ? "trip" : "trips");
-  float width = layout_.panes[i].caption.w;
-  for (const PaneBox& p : layout_.panes) width = std::min(width, p.caption.w);
+  float width = line_of(i, box_of(i).caption).w;
+  for (std::size_t k = 0; k < views_.size(); ++k)
+    if (has_caption(k)) width = std::min(width, line_of(k, box_of(k).caption).w);
   const Prefix prefix = s.dt >= 1e-5 && s.dt < 1 ? Prefix{1e3, "m"} : si_prefix(s.dt);
   const std::string dt = number(s.dt * prefix.factor, 3) + " " + prefix.letter + "s";
   const std::string steps = grouped(s.steps);
@@ -254,27 +244,31 @@ std::string Page::caption(gui::Ink& ink, std::size_t i) const {
   return dt + " · " + steps;
 }
 
-void Page::draw_pane(gui::Ink& ink, std::size_t i) const {
-  const PaneBox& box = layout_.panes[i];
+void Page::draw_around(gui::Ink& ink, std::size_t i) const {
+  const PaneBox& box = box_of(i);
   const PaneView& v = views_[i];
-  if (v.camera) {
-    if (view_.walls) draw_tank_before(ink, v, palette_);
+  const auto side = side_of(i);
+  const Align align = side == std::size_t{1} ? Align::right : Align::left;
+  Rect title = line_of(i, box.title);
+  if (side) { // whose side it is, however far the divider has moved
+    const float chip = std::round(ink.pt(9)), y = std::round(title.middle_y() - chip / 2);
+    ink.fill({*side == 0 ? title.x : title.right() - chip, y, chip, chip}, v.colour, ink.pt(2));
+    title.w -= ink.pt(side_swatch);
+    if (*side == 0) title.x += ink.pt(side_swatch);
   } else {
-    within(ink, v, [&] {
-      draw_solid_areas(ink, v, palette_);
-      if (view_.look.cell_types && has_cell_types(*v.snapshot)) draw_cell_borders(ink, v, palette_);
-      if (view_.walls) draw_walls(ink, v, palette_);
-      if (view_.look.trails > 0) draw_trails(ink, v, view_.look.trails, palette_);
-      if (view_.arrows) draw_arrows(ink, v, palette_, arrow_speed_, view_.look.arrows_at);
-    });
+    ink.frame(v.frame, v.colour, std::round(ink.pt(sheet_ ? 1 : 2)), ink.pt(4));
   }
-  if (!v.snapshot->watermark.empty()) draw_watermark(ink, v.frame, v.snapshot->watermark, palette_);
-  ink.frame(v.frame, v.colour, std::round(ink.pt(sheet_ ? 1 : 2)), ink.pt(4));
-  if (box.title.w > 0) ink.text(box.title, titles_.type, palette_.text, titles_.text[i]);
-  if (box.caption.w > 0) ink.text(box.caption, Type::small, palette_.muted, caption(ink, i));
-  if (layout_.tables < 0) return;
-  const LedgerForm& form = ledger_forms_[static_cast<std::size_t>(layout_.tables)];
-  draw_ledger(ink, box.table, *v.snapshot, view_.ledger, form,
+  if (title.w > 0) ink.text(title, titles_[i].type, palette_.text, titles_[i].text, align);
+  if (has_caption(i)) ink.text(line_of(i, box.caption), Type::small, palette_.muted, caption(ink, i), align);
+  if (has_table(i)) draw_table(ink, i);
+}
+
+void Page::draw_table(gui::Ink& ink, std::size_t i) const {
+  const auto side = side_of(i);
+  const Rect& box = side == std::size_t{1} ? box_of(i).second_table : box_of(i).table;
+  if (side)
+    ink.fill({std::round(box.x - ink.pt(9)), box.y, std::round(ink.pt(3)), box.h}, views_[i].colour, ink.pt(1.5F));
+  draw_ledger(ink, box, *views_[i].snapshot, view_.ledger, ledger_forms_[static_cast<std::size_t>(layout_.tables)],
               pane_notes_.empty() ? std::span<const std::string>{} : pane_notes_[i], palette_);
 }
 

@@ -140,12 +140,12 @@ void ContactSheet::arrange(const LayoutRequest& r, Layout& layout) {
   const float gap_x = spread(area.w - c * g.width(), c - 1), gap_y = spread(area.h - n * g.height(), n - 1);
   const float used = c * g.width() + (c - 1) * gap_x;
   const float x0 = std::round(area.x + std::max(0.F, area.w - used) / 2);
-  layout.padding = g.padding;
   layout.panes.clear();
   for (std::size_t i = 0; i < frame_.panes.size(); ++i) {
     const float x = x0 + static_cast<float>(i % columns_) * (g.width() + gap_x);
     const float y = area.y + static_cast<float>(i / columns_) * (g.height() + gap_y);
     PaneBox box;
+    box.padding = g.padding;
     if (g.title > 0) box.title = {x, y, g.width(), g.title};
     box.frame = {x, y + g.title, g.frame_w, g.frame_h};
     layout.panes.push_back(box);

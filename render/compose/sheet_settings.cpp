@@ -2,15 +2,11 @@
 #include "render/compose/sheet_settings.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace flipbook::render {
 
 void SheetSettings::describe(ParameterVisitor& v) {
-  static constexpr std::array<Option, 2> layouts{
-      {{"grid", "all panes alike"}, {"sheet", "rows and columns with names at the margins, without plots"}}};
-  v.choice({.name = "layout", .help = "How the panes share the picture."}, layout, layouts);
   v.integer({.name = "sheet_columns",
              .help = "Columns of layout = \"sheet\", which has up to 36 panes; 0: about as many as rows.",
              .min = 0,

@@ -9,10 +9,7 @@
 
 namespace flipbook::render {
 
-enum class Placing { grid, sheet };
-
 struct SheetSettings {
-  Placing layout = Placing::grid;
   int columns = 0;                 ///< 0: about as many as rows
   std::string sparkline = "total"; ///< column of the ledger; empty: no curves
 

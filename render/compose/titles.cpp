@@ -100,6 +100,15 @@ std::string shortened(const gui::Fonts& fonts, gui::Type type, Parts parts, floa
 
 } // namespace
 
+std::vector<std::string> without_shared_parts(const std::vector<std::string>& titles) {
+  std::vector<Parts> parts;
+  for (const std::string& t : titles) parts.push_back(split(t));
+  if (titles.size() > 1) parts = without_shared(parts);
+  std::vector<std::string> out;
+  for (const Parts& p : parts) out.push_back(join(p));
+  return out;
+}
+
 FittedTitles fit_titles(const gui::Fonts& fonts, gui::Type wanted, std::vector<std::string> titles,
                         std::span<const float> widths) {
   const auto all_fit = [&](gui::Type type, const std::vector<std::string>& text) {
@@ -109,13 +118,11 @@ FittedTitles fit_titles(const gui::Fonts& fonts, gui::Type wanted, std::vector<s
   };
   for (const gui::Type type : {wanted, gui::Type::small})
     if (all_fit(type, titles)) return {type, std::move(titles)};
-  std::vector<Parts> parts;
-  for (const std::string& t : titles) parts.push_back(split(t));
-  if (titles.size() > 1) parts = without_shared(parts);
-  std::transform(parts.begin(), parts.end(), titles.begin(), join);
+  titles = without_shared_parts(titles);
   for (const gui::Type type : {wanted, gui::Type::small})
     if (all_fit(type, titles)) return {type, std::move(titles)};
-  for (std::size_t i = 0; i < titles.size(); ++i) titles[i] = shortened(fonts, gui::Type::small, parts[i], widths[i]);
+  for (std::size_t i = 0; i < titles.size(); ++i)
+    titles[i] = shortened(fonts, gui::Type::small, split(titles[i]), widths[i]);
   return {gui::Type::small, std::move(titles)};
 }
 

@@ -21,4 +21,7 @@ struct FittedTitles {
 [[nodiscard]] FittedTitles fit_titles(const gui::Fonts& fonts, gui::Type wanted, std::vector<std::string> titles,
                                       std::span<const float> widths);
 
+/// Without the parts that all of them have, unless nothing were left of one.
+[[nodiscard]] std::vector<std::string> without_shared_parts(const std::vector<std::string>& titles);
+
 } // namespace flipbook::render

@@ -14,6 +14,7 @@ public:
   Canvas(const Functions& gl, int width, int height);
   void bind() const; ///< with a viewport over the whole of it
   [[nodiscard]] Image read() const;
+  [[nodiscard]] GLuint framebuffer() const { return framebuffer_.name(); }
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
 

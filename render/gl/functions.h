@@ -14,7 +14,7 @@ class Context;
   X(ACTIVETEXTURE, ActiveTexture) X(ATTACHSHADER, AttachShader) X(BINDBUFFER, BindBuffer) \
   X(BINDFRAMEBUFFER, BindFramebuffer) X(BINDRENDERBUFFER, BindRenderbuffer) X(BINDTEXTURE, BindTexture) \
   X(BINDVERTEXARRAY, BindVertexArray) X(BLENDEQUATION, BlendEquation) X(BLENDFUNCSEPARATE, BlendFuncSeparate) \
-  X(BUFFERDATA, BufferData) X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) X(CLEAR, Clear) \
+  X(BLITFRAMEBUFFER, BlitFramebuffer) X(BUFFERDATA, BufferData) X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) X(CLEAR, Clear) \
   X(CLEARCOLOR, ClearColor) X(COMPILESHADER, CompileShader) X(COPYTEXSUBIMAGE2D, CopyTexSubImage2D) X(CREATEPROGRAM, CreateProgram) \
   X(CREATESHADER, CreateShader) X(DELETEBUFFERS, DeleteBuffers) X(DELETEFRAMEBUFFERS, DeleteFramebuffers) \
   X(DELETEPROGRAM, DeleteProgram) X(DELETERENDERBUFFERS, DeleteRenderbuffers) X(DELETESHADER, DeleteShader) \

@@ -54,6 +54,10 @@ std::vector<gui::Point> marker_places(const gui::Ink& ink, std::span<const gui::
 
 } // namespace
 
+Colour curve_colour(std::size_t pane, const Palette& palette) {
+  return pane == no_pane ? palette.text : palette.variant(pane);
+}
+
 const CurveStyle& curve_style(std::size_t pane) {
   static const std::vector<CurveStyle> all = [] {
     constexpr std::array<Marker, 6> markers{Marker::disc,    Marker::square, Marker::triangle,
@@ -63,7 +67,7 @@ const CurveStyle& curve_style(std::size_t pane) {
     for (std::size_t i = 0; i < patterns().size(); ++i) styles.push_back({patterns()[i], markers[i]});
     return styles;
   }();
-  return all[pane % all.size()];
+  return all[pane == no_pane ? 0 : pane % all.size()];
 }
 
 const CurveStyle& reference_line(std::size_t n) {
@@ -85,10 +89,10 @@ void draw_line(gui::Ink& ink, std::span<const gui::Point> points, const CurveSty
 void draw_stroke(gui::Ink& ink, std::span<const gui::Point> points, std::size_t pane, const Palette& palette,
                  float left) {
   const CurveStyle& style = curve_style(pane);
-  draw_line(ink, points, style, palette.variant(pane), ink.pt(thickness));
+  draw_line(ink, points, style, curve_colour(pane, palette), ink.pt(thickness));
   if (style.marker == Marker::none) return;
   for (const gui::Point& p : marker_places(ink, points, pane, left))
-    draw_marker(ink, p, style.marker, ink.pt(marker_radius), palette.variant(pane));
+    draw_marker(ink, p, style.marker, ink.pt(marker_radius), curve_colour(pane, palette));
 }
 
 void draw_marker(gui::Ink& ink, gui::Point at, Marker marker, float radius, Colour colour) {

@@ -19,6 +19,10 @@ struct CurveStyle {
   Marker marker = Marker::none;
 };
 
+/// In place of a pane: the curve is about two of them together.
+inline constexpr std::size_t no_pane = static_cast<std::size_t>(-1);
+[[nodiscard]] Colour curve_colour(std::size_t pane, const Palette& palette);
+
 /// Of the curves of a pane.
 [[nodiscard]] const CurveStyle& curve_style(std::size_t pane);
 /// Of the n-th reference of a plot; none of a pane looks like it, for it is grey and its markers are hollow.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/views/end_values.h"
 
+#include "render/views/curve_style.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -60,10 +62,11 @@ void draw_end_values(gui::Ink& ink, std::vector<EndValue> values, const Rect& ar
     const EndValue& v = values[i];
     const float x = v.dot.x + ink.pt(beside_dot), y = std::round(places[i]);
     if (std::abs(y - v.dot.y) > ink.pt(2))
-      ink.line({v.dot.x + ink.pt(3), v.dot.y}, {x - ink.pt(1.5F), y}, palette.variant(v.pane), ink.hair());
+      ink.line({v.dot.x + ink.pt(3), v.dot.y}, {x - ink.pt(1.5F), y}, curve_colour(v.pane, palette), ink.hair());
     const float width = std::ceil(ink.fonts().width(gui::Type::small, v.text)) + 1;
     ink.fill({x - ink.pt(1), y - half, width + ink.pt(2), gap}, palette.page.alpha(0.75), ink.pt(2));
-    ink.text({x, y - half, width, gap}, gui::Type::small, readable(palette.variant(v.pane), palette.text), v.text);
+    ink.text({x, y - half, width, gap}, gui::Type::small, readable(curve_colour(v.pane, palette), palette.text),
+             v.text);
   }
 }
 

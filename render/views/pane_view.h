@@ -17,6 +17,8 @@ struct PaneView {
   float metre; ///< in pixels; 2D only
   Colour colour;
   std::optional<Camera> camera{}; ///< 3D only
+  std::optional<Rect> side{};     ///< of the frame, that shows this pane; none: all of it
+  [[nodiscard]] const Rect& shown() const { return side ? *side : frame; }
   /// 2D.
   [[nodiscard]] gui::Point pixel(double x, double y) const {
     return {domain.x + static_cast<float>(x - snapshot->lo[0]) * metre,

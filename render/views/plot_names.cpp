@@ -9,7 +9,7 @@
 namespace flipbook::render {
 namespace {
 
-constexpr std::array<PlotName, 36> names{{
+constexpr std::array<PlotName, 37> names{{
     {"kinetic", "kinetic energy", "kinetic"},
     {"potential", "potential energy", "potential"},
     {"elastic", "elastic energy", "elastic"},
@@ -42,6 +42,7 @@ constexpr std::array<PlotName, 36> names{{
     {"front", "front of the liquid, from the wall", "front"},
     {"height", "height of the liquid at the wall", "height"},
     {"noise", "noise |v − u(x)|, root mean square", "noise |v − u(x)|"},
+    {"difference", "difference A − B, root mean square", "RMS of A − B"},
     {"residual", "residual |v − v₀| / |v₀|", "residual"},
     {"kept", "velocity kept, share of that at the start", "velocity kept"},
     {"kept_rotation", "rotation kept, share of that at the start", "rotation kept"},

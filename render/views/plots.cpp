@@ -34,10 +34,16 @@ std::vector<std::string> wanted_columns(const Frame& frame, const ViewSettings& 
         for (const LedgerTable::Stage& stage : p.snapshot->ledger->stages)
           if (stage.name != "forces") add("lost_" + stage.name);
   }
+  if (view.arrangement.difference != DifferenceOf::off) add("difference");
   return all;
 }
 
 void add_curves(Plot& plot, const Frame& frame) {
+  if (plot.name == "difference" && frame.difference)
+    for (const History::Column& c : frame.difference->curve.columns) {
+      plot.unit = c.unit;
+      plot.curves.push_back({no_pane, &frame.difference->curve.t, &c.y});
+    }
   for (std::size_t i = 0; i < frame.panes.size(); ++i) {
     const History* h = frame.panes[i].snapshot->history.get();
     if (h == nullptr) continue;
@@ -235,7 +241,7 @@ std::vector<EndValue> draw_curves(gui::Ink& ink, const Plot& plot, const Axes& a
       if (run.size() > 1)
         draw_stroke(ink, run, c.pane, palette, axes.area.x);
       else
-        ink.disc(run.front(), ink.pt(0.9F), palette.variant(c.pane));
+        ink.disc(run.front(), ink.pt(0.9F), curve_colour(c.pane, palette));
     }
     const auto last = static_cast<double>(c.y->back());
     if (axes.holds(last))
@@ -243,7 +249,7 @@ std::vector<EndValue> draw_curves(gui::Ink& ink, const Plot& plot, const Axes& a
   }
   for (const EndValue& e : ends) {
     ink.disc(e.dot, ink.pt(3.6F), palette.page);
-    ink.disc(e.dot, ink.pt(2.6F), palette.variant(e.pane));
+    ink.disc(e.dot, ink.pt(2.6F), curve_colour(e.pane, palette));
   }
   return ends;
 }

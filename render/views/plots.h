@@ -16,7 +16,7 @@ namespace flipbook::render {
 /// One quantity in all the panes that recorded it.
 struct Plot {
   struct Curve {
-    std::size_t pane;
+    std::size_t pane; ///< or no_pane
     const std::vector<float>*t, *y;
   };
   struct Reference {

@@ -164,6 +164,39 @@ render::Frame twelve_curves() {
   return emptied(curves_frame(12, {{"total", "J/m", wave}}, 0.8));
 }
 
+/// Three dam breaks, the third compared with the first, and how they differed so far.
+render::Frame compared() {
+  render::Frame f = dam_frame(3);
+  auto so_far = std::make_shared<render::DifferenceSoFar>();
+  so_far->curve.t = {0, 0.1F, 0.2F, 0.3F, 0.4F};
+  so_far->curve.columns = {{"difference", "m/s", {0, 0.02F, 0.05F, 0.21F, 0.3F}}};
+  so_far->most = 0.9;
+  f.difference = so_far;
+  return f;
+}
+
+/// The divider is dragged by its slider.
+render::Frame moved_divider() {
+  render::Frame f = dam_frame(2);
+  f.pointer = {{"view.divider", -1, 1, true}};
+  return f;
+}
+
+/// A lower and slower pool in the same tank; what is stored has speeds, not velocities.
+render::Frame two_in_space() {
+  render::Frame f = one("dam_3d");
+  const auto pane = [](const std::string& title, float height, float speed) {
+    auto s = std::make_shared<Snapshot>(*stored("dam_3d"));
+    for (std::size_t p = 0; p < s->particles(); ++p) {
+      s->x[3 * p + 1] = static_cast<float>(s->lo[1]) + height * (s->x[3 * p + 1] - static_cast<float>(s->lo[1]));
+      s->v[3 * p] = s->channels[0].values[p] *= speed;
+    }
+    return render::Pane{title, s};
+  };
+  f.panes = {pane("FLIP 0.97", 1, 1), pane("APIC", 0.8F, 0.6F)};
+  return f;
+}
+
 const std::vector<std::string> bare{"view.show_panel=false", "view.plot_height=0", "view.captions=false"};
 std::vector<std::string> bare_with(std::vector<std::string> more) {
   more.insert(more.end(), bare.begin(), bare.end());
@@ -259,6 +292,27 @@ std::vector<Case> cases() {
        480},
       {"mistake_dark", bare, [] { return mistaken(two_dams()); }, 480, 270},
       {"mistake_3d_light", bare_with({"view.theme=light"}), [] { return mistaken(one("dam_3d")); }, 480, 270},
+      {"large", {"view.layout=large", "view.large=2"}, [] { return dam_frame(4); }},
+      {"large_light", bare_with({"view.layout=large", "view.theme=light"}), [] { return dam_frame(6); }, 480, 270},
+      {"split", {"view.layout=split", "view.divider=0.4", "view.plot_height=0"}, moved_divider},
+      {"split_light",
+       {"view.layout=split", "view.theme=light", "view.show_panel=false", "view.arrows=true", "view.plots=total"},
+       [] { return dam_frame(3); }},
+      {"split_3d", bare_with({"view.layout=split"}), two_in_space, 480, 270},
+      {"split_ledger",
+       {"view.layout=split", "view.ledger=total", "view.show_panel=false", "view.plot_height=0"},
+       [] { return ledger_frame(3); },
+       854,
+       480},
+      {"difference", {"view.difference=speed", "view.pair=3,1", "view.show_panel=false", "view.plots=total"}, compared},
+      {"difference_light", bare_with({"view.difference=surface", "view.theme=light"}), [] { return dam_frame(2); }, 480,
+       270},
+      {"difference_large",
+       {"view.difference=density", "view.layout=large", "view.large=3", "view.show_panel=false", "view.plot_height=0"},
+       two_dams,
+       480,
+       270},
+      {"difference_3d", bare_with({"view.difference=speed", "view.layout=split"}), two_in_space, 640, 270},
       {"twelve_panes", {"view.panel=cfl,gravity,kernel"}, [] { return dam_frame(12); }, 854, 480},
       {"sheet_dark", {"view.layout=sheet", "view.sheet_columns=3", "view.show_panel=false"}, six_in_a_sheet, 480, 270},
       {"sheet_of_titles_light",

@@ -65,6 +65,18 @@ std::array<int, 3> pixel(const render::Image& image, float x, float y) {
   return {image.rgba[at], image.rgba[at + 1], image.rgba[at + 2]};
 }
 
+/// What keys move of the view, too, while it matters.
+TEST(PanelGroups, BeginWithTheDividerThatTheTimelineMoves) {
+  Frame f = frame_with({{real("a.b", 1, 0, 2)}, {real("a.b", 2, 0, 2)}});
+  f.pointer = {{"view.divider", -1, 0, false}};
+  const auto groups = app::panel_groups(f, view_with({"view.layout=split", "view.divider=0.25"}));
+  EXPECT_EQ(paths(groups), (std::vector<std::string>{"view.divider", "a.b"}));
+  EXPECT_EQ(groups[0].rows.size(), 1U);
+  EXPECT_EQ(groups[0].rows[0].variant, -1);
+  EXPECT_EQ(groups[0].rows[0].parameter->value, Value(0.25));
+  EXPECT_EQ(paths(app::panel_groups(f, {})), (std::vector<std::string>{"a.b"})) << "there is no divider";
+}
+
 TEST(PanelGroups, SharedParametersHaveOneRow) {
   const Frame f = frame_with({{real("a.x_y", 1, 0, 2)}, {real("a.x_y", 1, 0, 2)}});
   const auto groups = app::panel_groups(f, {});

@@ -228,5 +228,18 @@ TEST(Timeline, PointsAtTheSharedRowWhereAllVariantsMove) {
   EXPECT_EQ(second[1].variant, 2);
 }
 
+/// The hand drags the slider of the divider; other keys of the view have no row.
+TEST(Timeline, PointsAtTheDivider) {
+  const Resolved r = with_keys("[[key]]\nt = 1\nover = 0.5\nview.divider = 0.75\nview.zoom = 2\n",
+                               "view.layout = \"split\"\nview.divider = 0.25\n");
+  const auto targets = r.timeline.pointer_targets(1.25, r.scale);
+  ASSERT_EQ(targets.size(), 1U);
+  EXPECT_EQ(targets[0].path, "view.divider");
+  EXPECT_EQ(targets[0].variant, -1);
+  EXPECT_TRUE(targets[0].pressed);
+  EXPECT_DOUBLE_EQ(r.timeline.view(1.25, r.view).arrangement.divider, 0.5);
+  EXPECT_EQ(r.timeline.views(r.view).size(), 5U) << "at the start, and where either move begins and ends";
+}
+
 } // namespace
 } // namespace flipbook::app
