@@ -33,7 +33,7 @@ std::uint64_t frames_with_keys(const Take& take) {
 } // namespace
 
 Simulator::Run::Run(std::shared_ptr<const Take> t, Pool& pool)
-    : take(std::move(t)), view_(take->resolved),
+    : take(std::move(t)), view_(take->resolved), differences_(take->resolved.timeline.views(take->resolved.view)),
       timeline_(
           take->resolved.timeline.commands(take->resolved.output.fps, take->resolved.scale, frames_with_keys(*take))) {
   variants = make_variants(take->resolved, pool);
@@ -85,6 +85,7 @@ Refusal Simulator::Run::set_view(const SetParameter& change) {
   render::ViewSettings view = view_.at(time());
   if (Refusal r = set_parameter(view, change.path, change.value); !r.message.empty()) return r;
   if (const ViewMistake m = check_view(view); m.path == change.path) return m.refusal;
+  if (ArrangementMistake m = check_arrangement(view, take->resolved.domains()); m.is_of(change.path)) return m.refusal;
   EditedView next = view_;
   next.set(change, time());
   if (next.request().channels != view_.request().channels) { // a quantity that not every solver has
@@ -135,6 +136,8 @@ LiveFrame Simulator::Run::look(Pool& pool) {
     const auto v = static_cast<std::size_t>(i);
     snapshots[v] = (*variants)[v].snapshot(frame, view_.request());
   });
+  differences_.add(f.bundle.view, time(), snapshots);
+  f.bundle.difference = differences_.of(f.bundle.view);
   warnings_ = f.warnings = identical_.warnings(snapshots);
   return f;
 }
@@ -149,6 +152,7 @@ LiveFrame Simulator::Run::picture(const LiveFrame& shown) {
   const bool enough = std::all_of(wanted.channels.begin(), wanted.channels.end(), has);
   LiveFrame f = enough ? shown : *peek(shown, false);
   f.bundle.view = view_.at(time());
+  f.bundle.difference = differences_.glimpse(f.bundle.view, shown.bundle.stop.time, shown.bundle.snapshots);
   return f;
 }
 
@@ -156,6 +160,7 @@ std::shared_ptr<const LiveFrame> Simulator::Run::peek(const LiveFrame& shown, bo
   auto f = std::make_shared<LiveFrame>(shown);
   if (on_the_way) f->bundle.stop.time = (*variants)[0].time();
   f->bundle.view = view_.at(time());
+  f->bundle.difference = differences_.glimpse(f->bundle.view, shown.bundle.stop.time, shown.bundle.snapshots);
   for (std::size_t i = 0; i < variants->size(); ++i) {
     const auto now = (*variants)[i].peek(frame, view_.request());
     if (!now) continue;

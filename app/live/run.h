@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/live/simulator.h"
+#include "app/session/differences.h"
 #include "app/session/edited_view.h"
 #include "app/session/stepper.h"
 
@@ -43,6 +44,7 @@ private:
   [[nodiscard]] double time() const { return take->resolved.time_of(frame); }
 
   EditedView view_;
+  Differences differences_;
   IdenticalPanes identical_;
   std::vector<std::string> warnings_;
   CommandLog timeline_; ///< of the keys, up to the last that does anything

@@ -48,6 +48,7 @@ render::Frame compose(const Resolved& resolved, const Bundle& bundle, std::vecto
   const Timeline& timeline = resolved.timeline;
   if (bundle.view.pointer) frame.pointer = timeline.pointer_targets(bundle.stop.time, resolved.scale);
   frame.turning = bundle.view.steady || timeline.moves("view.azimuth") || timeline.moves("view.elevation");
+  frame.difference = bundle.difference;
   frame.warnings = std::move(warnings);
   frame.references = resolved.references;
   return frame;

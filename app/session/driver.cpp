@@ -34,7 +34,7 @@ std::size_t Bundle::bytes() const {
 
 Driver::Driver(const Resolved& resolved, const Schedule& schedule, Budget& budget, Exchange<Bundle>& out,
                std::function<bool()> stop, SeriesWriter* particles, LedgerFile* ledger)
-    : resolved_(resolved), view_(resolved),
+    : resolved_(resolved), view_(resolved), differences_(resolved.timeline.views(resolved.view)),
       commands_(resolved.timeline.commands(resolved.output.fps, resolved.scale, schedule.boundaries())),
       schedule_(schedule), budget_(budget), out_(out), stop_(std::move(stop)), particles_(particles), ledger_(ledger) {}
 
@@ -93,6 +93,8 @@ Bundle Driver::look(Pool& pool, const Stop& at) {
     const auto v = static_cast<std::size_t>(i);
     bundle.snapshots[v] = (*variants_)[v].snapshot(at.frame, view_.request());
   });
+  differences_.add(bundle.view, at.time, bundle.snapshots);
+  bundle.difference = differences_.of(bundle.view);
   return bundle;
 }
 

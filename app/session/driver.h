@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/series/series_writer.h"
+#include "app/session/differences.h"
 #include "app/session/edited_view.h"
 #include "app/session/ledger_file.h"
 #include "app/session/schedule.h"
@@ -23,7 +24,8 @@ namespace flipbook::app {
 struct Bundle {
   Stop stop;
   std::vector<std::shared_ptr<const Snapshot>> snapshots;
-  render::ViewSettings view{}; ///< how they are to be seen
+  render::ViewSettings view{};                                 ///< how they are to be seen
+  std::shared_ptr<const render::DifferenceSoFar> difference{}; ///< of the pair that it compares
   [[nodiscard]] std::size_t bytes() const;
 };
 
@@ -50,6 +52,7 @@ private:
 
   const Resolved& resolved_;
   EditedView view_;
+  Differences differences_;
   const CommandLog commands_;
   Schedule schedule_;
   Budget& budget_;
