@@ -117,7 +117,7 @@ Place place_in(const std::vector<PaneView>& panes, std::size_t pane, Point pixel
 std::optional<Place> place_at(const std::vector<PaneView>& panes, Point pixel, std::optional<double> depth) {
   for (std::size_t i = 0; i < panes.size(); ++i) {
     const PaneView& v = panes[i];
-    if (!holds(v.frame, pixel)) continue;
+    if (!holds(v.shown(), pixel)) continue;
     if (!v.camera) return place_in(panes, i, pixel, 0);
     if (!depth) depth = nearest_particle(v, pixel);
     return place_in(panes, i, pixel, depth.value_or(v.camera->distance()));

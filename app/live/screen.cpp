@@ -17,7 +17,8 @@ namespace {
 
 constexpr unsigned left = 1, right = 2, middle = 4; // as a browser counts them
 constexpr std::size_t most_events = 512;            // between two pictures
-const std::array<std::string, 4> cameras{"view.azimuth", "view.elevation", "view.zoom", "view.target"};
+constexpr float divider_reach = 7;                  // points on either side of it
+const std::array<std::string, 5> cameras{"view.azimuth", "view.elevation", "view.zoom", "view.target", "view.divider"};
 
 Hold::What what_of(Tool tool) {
   switch (tool) {
@@ -78,6 +79,11 @@ void LiveScreen::press(unsigned pressed, const serve::PointerMessage& m) {
     gesture_ = Gesture::widget;
     return;
   }
+  if (at_divider() && (pressed & left) != 0) {
+    gesture_ = Gesture::divider;
+    gui_event({.kind = GuiEvent::Kind::leave}, m.with);
+    return;
+  }
   const auto pane = pane_under();
   if (!pane) return;
   held_pane_ = *pane;
@@ -121,7 +127,10 @@ void LiveScreen::hold(const Place& place) {
 }
 
 void LiveScreen::drag(Point from) {
-  if (!renderer_ || held_pane_ >= renderer_->panes().size()) return;
+  if (!renderer_) return;
+  if (gesture_ == Gesture::divider && renderer_->split())
+    return edit(-1, {"view.divider", std::round(renderer_->split()->position(pointer_.x) * 1000) / 1000});
+  if (held_pane_ >= renderer_->panes().size()) return;
   const auto& panes = renderer_->panes();
   const float dx = pointer_.x - from.x, dy = pointer_.y - from.y;
   if (gesture_ == Gesture::tool) hold(place_in(panes, held_pane_, pointer_, held_depth_));
@@ -150,11 +159,16 @@ bool LiveScreen::over_widgets() const {
   return panel || gui_->holds_pointer();
 }
 
+bool LiveScreen::at_divider() const {
+  return renderer_ && renderer_->split() &&
+         renderer_->split()->near(pointer_, divider_reach * renderer_->fonts().scale());
+}
+
 std::optional<std::size_t> LiveScreen::pane_under() const {
   if (!renderer_) return std::nullopt;
   const auto& panes = renderer_->panes();
   for (std::size_t i = 0; i < panes.size(); ++i) {
-    const render::Rect& f = panes[i].frame;
+    const render::Rect& f = panes[i].shown();
     if (pointer_.x >= f.x && pointer_.x < f.right() && pointer_.y >= f.y && pointer_.y < f.bottom()) return i;
   }
   return std::nullopt;
@@ -163,7 +177,9 @@ std::optional<std::size_t> LiveScreen::pane_under() const {
 std::string LiveScreen::cursor() const {
   if (gesture_ == Gesture::orbit || gesture_ == Gesture::pan) return "grab";
   if (gesture_ == Gesture::tool) return "crosshair";
+  if (gesture_ == Gesture::divider) return "ew-resize";
   if (over_widgets()) return gui_->cursor();
+  if (inside_ && at_divider()) return "ew-resize";
   if (inside_ && pane_under() && tool_ != Tool::camera) return "crosshair";
   return "default";
 }
@@ -287,7 +303,7 @@ void LiveScreen::draw_ring(render::gui::Ink& ink, const std::vector<render::Pane
   for (std::size_t i = 0; i < panes.size(); ++i) {
     if (i != place->pane && !linked_) continue;
     const Point at{pointer_.x - own.frame.x + panes[i].frame.x, pointer_.y - own.frame.y + panes[i].frame.y};
-    ink.clip(panes[i].frame);
+    ink.clip(panes[i].shown());
     ink.ring(at, radius, colours.page.alpha(0.6), ink.pt(3));
     ink.ring(at, radius, colours.text.alpha(acts ? 0.95 : 0.6), ink.pt(1.5F));
     ink.unclip();

@@ -52,7 +52,7 @@ public:
   [[nodiscard]] int height() const { return height_; }
 
 private:
-  enum class Gesture { none, widget, orbit, pan, tool };
+  enum class Gesture { none, widget, divider, orbit, pan, tool };
 
   void arrive(const serve::PointerMessage& m);
   void press(unsigned buttons, const serve::PointerMessage& m);
@@ -62,6 +62,7 @@ private:
   void camera(const std::vector<SetParameter>& changes);
   void gui_event(render::gui::GuiEvent event, const serve::Modifiers& with);
   [[nodiscard]] bool over_widgets() const;
+  [[nodiscard]] bool at_divider() const;
   [[nodiscard]] std::optional<std::size_t> pane_under() const;
   void draw_ring(render::gui::Ink& ink, const std::vector<render::PaneView>& panes) const;
   void make_renderer(render::Theme theme);

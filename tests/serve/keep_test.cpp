@@ -92,6 +92,66 @@ TEST(Keep, TheSavedStudyMakesTheRecordedPicturesAgain) {
   EXPECT_NE(info.out.find("push = {"), std::string::npos) << info.err;
 }
 
+TEST(Keep, AComparisonBegunByHandIsMadeAgain) {
+  const Folder folder;
+  Served server(small("dam_break"), folder.path());
+  WebClient client(server);
+  client.until([](const json& j) { return j["type"] == "state" && j["busy"] == false && j.contains("name"); });
+  client.say(record("png"));
+  play_to(client, 3);
+  client.say(set("view.difference", "speed"));
+  client.say(set("view.layout", "split"));
+  play_to(client, 6);
+  client.say(set("view.divider", 0.25));
+  client.say(set("view.difference", "surface"));
+  client.say(set("view.layout", "large"));
+  client.say(set("view.large", 9)); // refused: so many panes there are not
+  client.until([](const json& j) { return j["type"] == "message" && j["level"] == "error"; });
+  client.say(set("view.large", 2));
+  play_to(client, 9);
+  client.act("stop_record");
+  const json recorded = client.until([](const json& j) { return j["type"] == "saved" && j["kind"] == "recording"; });
+  EXPECT_EQ(server.interrupt(), 0);
+  const fs::path kept = folder.path() / "kept";
+  const std::string name = recorded["name"];
+  EXPECT_NE(read_file(kept / (name + ".toml")).find("view.difference = \"surface\""), std::string::npos);
+  expect_same_frames(kept, name + ".toml", name, 9);
+}
+
+/// The pointer finds the divider by the shape that it gets there, and takes it along.
+TEST(Keep, AHandMovesTheDivider) {
+  const Folder folder;
+  std::vector<std::string> arguments = small("dam_break");
+  arguments.insert(arguments.end(), {"--set", "view.layout=split", "--set", "view.plot_height=0"});
+  Served server(arguments, folder.path());
+  WebClient client(server);
+  client.until([](const json& j) { return j["type"] == "state" && j["busy"] == false && j.contains("name"); });
+  std::uint32_t seq = 0;
+  const auto point = [&](double x, int buttons) {
+    client.say(json{{"type", "pointer"}, {"seq", ++seq}, {"x", x}, {"y", 0.4}, {"buttons", buttons}, {"tool", "push"}});
+    std::string cursor;
+    for (Arrived a = client.next(1); a.what != Arrived::What::nothing; a = client.next(0.3))
+      if (a.what == Arrived::What::text && a.json["type"] == "state") cursor = a.json["cursor"];
+    return cursor;
+  };
+  double x = 0.05;
+  while (x < 0.7 && point(x, 0) != "ew-resize") x += 0.015;
+  ASSERT_LT(x, 0.7) << "no divider";
+  (void)point(x, 1);
+  (void)point(x + 0.1, 1);
+  (void)point(x + 0.1, 0);
+  client.act("save_study");
+  const json saved = client.until([](const json& j) { return j["type"] == "saved" && j["kind"] == "study"; });
+  EXPECT_EQ(server.interrupt(), 0);
+  const std::string text = read_file(folder.path() / "kept" / saved["name"].get<std::string>());
+  const std::size_t at = text.find("view.divider = ");
+  ASSERT_NE(at, std::string::npos) << text;
+  const double divider = std::stod(text.substr(at + 15));
+  EXPECT_GT(divider, 0.55) << "from the middle to the right";
+  EXPECT_LT(divider, 1);
+  EXPECT_EQ(text.find("push = {"), std::string::npos) << "the tool did not act";
+}
+
 TEST(Keep, ASolidInSpaceTurnsAndIsPushedAgain) {
   const Folder folder;
   Served server({"jelly_cubes", "--dim", "3", "--cells", "16", "--size", "640x360", "-o", "kept"}, folder.path());
