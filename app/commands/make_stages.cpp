@@ -36,10 +36,9 @@ StagesOutput kind_of(const std::string& name) {
   const std::string kind = fs::path(name).extension().string();
   for (const char* sheet : {".png", ".pdf", ".svg"})
     if (kind == sheet) return StagesOutput::sheet;
-  for (const char* video : {".mp4", ".gif", ".webm"})
-    if (kind == video) return StagesOutput::video;
-  throw UserError("-o " + name + ": a sheet of all stages ends in .png, .pdf or .svg, a video in .mp4, and a folder " +
-                  "of pictures in /");
+  if (find_video_format(kind)) return StagesOutput::video;
+  throw UserError("-o " + name + ": a sheet of all stages ends in .png, .pdf or .svg, a video in " +
+                  video_extensions() + ", and a folder of pictures in /");
 }
 
 /// The steps that --variant names, in the order of the study.
@@ -76,7 +75,6 @@ struct Told {
   const Resolved& resolved;
   const StageBook& book;
   Provenance provenance;
-  std::string toml;
 
   [[nodiscard]] TextEntries entries(const std::string& stage) const {
     TextEntries all = text_entries(provenance);
@@ -133,9 +131,7 @@ render::Image mixed(const render::Image& a, const render::Image& b, double share
 }
 
 /// Each stage is held, then fades into the next.
-void write_video(const Told& told, const std::string& name, const StagesRequest& request) {
-  const std::vector<std::unique_ptr<Sink>> sinks = video_sinks({name}, told.resolved, told.toml);
-  Sink& sink = *sinks.front();
+void write_video(const Told& told, Sink& sink, const StagesRequest& request) {
   const double fps = told.resolved.output.fps;
   const auto hold = static_cast<std::size_t>(std::max(1.0, std::round(request.hold * fps)));
   const auto fade = static_cast<std::size_t>(std::round(request.fade * fps));
@@ -173,34 +169,45 @@ void refuse_what_cannot_be_shown(const Resolved& resolved, const StagesRequest& 
   render::check_chart_fonts();
 }
 
+/// In the order of their names; `videos` are opened already.
+void write_all(const Told& told, const std::vector<std::string>& names,
+               const std::vector<std::unique_ptr<Sink>>& videos, const StagesRequest& request) {
+  auto video = videos.begin();
+  for (const std::string& name : names) {
+    switch (kind_of(name)) {
+    case StagesOutput::pages: write_pages(told, name); break;
+    case StagesOutput::sheet: write_sheet(told, name); break;
+    case StagesOutput::video: write_video(told, **video++, request); break;
+    }
+    std::cout << name << '\n';
+  }
+}
+
 } // namespace
 
 int RunOptions::make_stages(Study study, const StagesRequest& request) const {
   const std::vector<std::string> names =
       outputs_.empty() ? std::vector<std::string>{"out/" + study.name + "_stages.png"} : outputs_;
-  for (const std::string& name : names) (void)kind_of(name); // mistakes come before the work
+  for (const std::string& name : names) (void)kind_of(name);
   use_schemes(study, request.schemes);
   std::optional<museum::Choice> mistake;
   if (!mistake_.empty()) mistake = museum::parse_choice(mistake_);
   const Resolved resolved = resolve(mistake ? with_mistake(study, *mistake) : study);
   refuse_what_cannot_be_shown(resolved, request);
+  const std::string toml = (mistake ? mistake_header(*mistake) : "") + to_toml(study);
+  std::vector<std::unique_ptr<Sink>> videos; // what cannot be written is refused before the work
+  for (const std::string& name : names)
+    if (kind_of(name) == StagesOutput::video)
+      videos.push_back(
+          video_file(*find_video_format(fs::path(name).extension().string()), name, video_settings(resolved, toml)));
   Budget budget(session_options().threads);
   const Budget::Permit permit(budget);
   Pool pool(budget);
   std::vector<RecordedStep> steps = chosen(resolved, record_steps(resolved, request.at, {pool}), request.variant);
-  const std::string toml = (mistake ? mistake_header(*mistake) : "") + to_toml(study);
   Provenance provenance{app::describe_run(resolved, toml), steps.front().before->frame, request.at, ""};
   for (const RecordedStep& s : steps) provenance.variants += (provenance.variants.empty() ? "" : "\n") + s.title;
   const StageBook book(resolved.title, std::move(steps), request.window, resolved.view.theme);
-  const Told told{resolved, book, std::move(provenance), toml};
-  for (const std::string& name : names) {
-    switch (kind_of(name)) {
-    case StagesOutput::pages: write_pages(told, name); break;
-    case StagesOutput::sheet: write_sheet(told, name); break;
-    case StagesOutput::video: write_video(told, name, request); break;
-    }
-    std::cout << name << '\n';
-  }
+  write_all({resolved, book, std::move(provenance)}, names, videos, request);
   return 0;
 }
 

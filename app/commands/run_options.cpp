@@ -122,7 +122,7 @@ void RunOptions::describe_live(OptionVisitor& v) {
 
 void RunOptions::describe_stages(OptionVisitor& v) {
   describe_run(v);
-  describe_machine(v);
+  v.text("--threads", threads_, "N", "How many threads compute; the pictures do not depend on it");
   v.texts("-o,--output", outputs_, {"X.png|X.mp4|FOLDER/", Argument::Kind::file},
           "A sheet of all stages (also .pdf, .svg), a video, or a folder for a picture of each; may be repeated");
   v.text("--with-mistake", mistake_, {"NAME|mystery:N", Argument::Kind::mistake},

@@ -58,6 +58,8 @@ TEST(StagesCommand, RefusesBeforeItComputes) {
   expect_refusal(run(stages({"--at", "-1"}), f.path()), 2, {"--at -1"});
   expect_refusal(run(stages({"--at", "0", "--dim", "3"}), f.path()), 2, {"--dim 2"});
   expect_refusal(run(stages({"--at", "0", "-o", "a.txt"}), f.path()), 2, {"a.txt", ".png", ".mp4"});
+  expect_refusal(run({"stages", "drop", "--cells", "24", "--size", "641x360", "--at", "0", "-o", "a.mp4"}, f.path()), 2,
+                 {"even", "641x360"});
   expect_refusal(run(stages({"--at", "0", "--window", "0,0,1"}), f.path()), 2, {"--window 0,0,1", "x0,y0,x1,y1"});
   expect_refusal(run(stages({"--at", "0", "--window", "0.5,0,0.2,1"}), f.path()), 2, {"x0 < x1"});
   expect_refusal(run(stages({"--at", "0", "--window", "0,0,9,0.5"}), f.path()), 2, {"the domain is from 0,0 to"});
