@@ -4,6 +4,7 @@
 #include "app/commands/variants.h"
 #include "app/gallery/exhibit.h"
 #include "app/study/study.h"
+#include "render/compose/sheet_settings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,8 +58,8 @@ void read_values(TableReader& table, Entry& entry, Mistakes& mistakes) {
   const Node* values = table.optional("values");
   entry.frames = static_cast<int>(table.number("frames", fewest_frames, most_frames, entry.frames));
   if (!values) return;
-  if (values->type != Node::Type::list || values->items.size() < 2 || values->items.size() > most_variants)
-    return table.mistake("values is a list of 2 to " + std::to_string(most_variants), *values);
+  if (values->type != Node::Type::list || values->items.size() < 2 || values->items.size() > render::most_panes)
+    return table.mistake("values is a list of 2 to " + std::to_string(render::most_panes), *values);
   for (const Node& n : values->items)
     if (const auto value = value_of(n, mistakes)) entry.values.push_back(*value);
 }
@@ -137,8 +138,8 @@ Entry parse_scrub(const std::string& text) {
   entry.vary = text.substr(colon + 1, equals - colon - 1);
   for (const std::string& value : split_list(text.substr(equals + 1), "--scrub"))
     entry.values.push_back(parse_value(value));
-  if (entry.values.size() < 2 || entry.values.size() > most_variants)
-    throw UserError("--scrub " + text + ": it needs 2 to " + std::to_string(most_variants) + " values");
+  if (entry.values.size() < 2 || entry.values.size() > render::most_panes)
+    throw UserError("--scrub " + text + ": it needs 2 to " + std::to_string(render::most_panes) + " values");
   return entry;
 }
 
