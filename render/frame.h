@@ -39,6 +39,8 @@ struct SheetNames {
 
 struct Frame {
   std::string title;
+  std::string label;       ///< what the timeline says at this time
+  bool labelled = false;   ///< it says something at some time: then every picture has room for it
   double time = 0;         ///< simulated, in time_unit()
   double duration = 0;     ///< of the whole run, for the plots' time axis
   std::vector<Pane> panes; ///< 1 to 12; up to 36 in a contact sheet

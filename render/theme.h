@@ -15,7 +15,7 @@ struct Palette {
   Colour track, accent, grip;                              ///< widgets: trough, filled part, handle
   Colour floor, floor_grid, far_wall, far_edge, near_edge; ///< the tank of a 3D pane
   Colour shadow;                                           ///< and how much of it the darkest has
-  Colour water, drop, horizon, zenith;                     ///< of a liquid's surface in 3D: itself, its spray, what it mirrors
+  Colour water, drop, horizon, zenith;                     ///< a liquid in 3D: itself, its spray, what it mirrors
   Colour solid, outline;                                   ///< bodies in 3D; the outline of those in 2D
   Colour liquid, liquid_edge;                              ///< as one body in 2D
   Colour cell_liquid, cell_air, cell_solid;                ///< tints of cells

@@ -33,6 +33,7 @@ void ViewSettings::describe(ParameterVisitor& v) {
     v.flag({.name = "grid", .help = "Draw the lines between cells; in 3D on the floor."}, grid);
     v.flag({.name = "arrows", .help = "Draw arrows of the grid velocity (2D)."}, arrows);
     v.flag({.name = "captions", .help = "Show the step size and the number of steps below each pane."}, captions);
+    v.flag({.name = "labels", .help = "Show below the title what the keys of the timeline say."}, labels);
     v.flag({.name = "show_panel", .help = "Show the panel of parameters."}, show_panel);
     v.names({.name = "panel",
              .help = "Parameters in the panel, by path or last part; empty: the ones for teaching that apply."},

@@ -33,6 +33,7 @@ struct ViewSettings {
   std::array<double, 3> target{0.5, 0.5, 0.5}; ///< what is in the middle, as fractions of the domain
   bool walls = true, grid = false, arrows = false;
   bool captions = true; ///< dt and steps below each pane
+  bool labels = true;   ///< of the timeline's keys, below the title
   bool show_panel = true;
   std::vector<std::string> panel; ///< parameter paths (or last parts) to show; empty: the teach-level ones that apply
   std::vector<std::string> plots{"kinetic", "potential", "total", "transfer_loss"};

@@ -47,6 +47,8 @@ render::Frame compose(const Resolved& resolved, const Bundle& bundle, std::vecto
   }
   const Timeline& timeline = resolved.timeline;
   if (bundle.view.pointer) frame.pointer = timeline.pointer_targets(bundle.stop.time, resolved.scale);
+  frame.labelled = bundle.view.labels && timeline.has_labels();
+  if (frame.labelled) frame.label = timeline.label(bundle.stop.time);
   frame.turning = bundle.view.steady || timeline.moves("view.azimuth") || timeline.moves("view.elevation");
   frame.difference = bundle.difference;
   frame.warnings = std::move(warnings);

@@ -11,7 +11,7 @@ namespace flipbook::render {
 namespace {
 
 // In points.
-constexpr float margin = 20, header_height = 30, header_gap = 14;
+constexpr float margin = 20, header_height = 30, header_gap = 14, label_height = 20;
 constexpr float legend_height = 18, footer_height = 16, least_plot = 84, least_side = 230;
 constexpr float fair_pane = 200;     // below it plots give way to tables
 constexpr float least_plots = 0.75F; // to this share of their height
@@ -83,7 +83,11 @@ private:
       right = out_.colour_label.x - pt(20);
     }
     out_.title = {m, y, std::max(0.F, right - m), h};
-    const float top = y + h + pt(header_gap);
+    float top = y + h + pt(header_gap);
+    if (r_.label) {
+      out_.label = {m, y + h, width - 2 * m, pt(label_height)};
+      top = out_.label.bottom() + pt(header_gap);
+    }
     const float footer = static_cast<float>(r_.footer_lines) * pt(footer_height);
     float bottom = height - m;
     if (footer > 0) {

@@ -38,6 +38,7 @@ struct LayoutRequest {
   std::optional<std::size_t> bar;             ///< the one that has a colour bar of its own, in the line below it
   double domain_width = 1, domain_height = 1; ///< the shape every pane must be able to hold
   bool captions = true, panel = true;
+  bool label = false; ///< a line of its own below the title
   std::size_t plots = 4;
   double plot_height = 0.24; ///< share of the picture; 0: no plots
   std::vector<float> legend; ///< width of each entry, pixels
@@ -57,6 +58,7 @@ struct PaneBox {
 
 struct Layout {
   Rect title, colour_label, colour_bar, time; ///< the header
+  Rect label;                                 ///< below the title; empty where there is none
   std::vector<PaneBox> panes;
   std::vector<Rect> legend, plots;
   Rect panel, footer;

@@ -75,6 +75,7 @@ Page::Page(const Frame& frame, const ViewSettings& view, const gui::Fonts& fonts
     r.domain_height = std::max(r.domain_height, h / diagonal);
   }
   r.captions = view.captions;
+  r.label = frame.labelled;
   r.panel = view.show_panel;
   r.plots = plots_.size();
   r.plot_height = view.plot_height;
@@ -125,8 +126,6 @@ void Page::collect_footer() {
   if (sheet_ && sheet_->sparklines()) notes_.push_back("Curves: " + sheet_->sparklines()->label + ".");
   if (view_.is_sheet() && !view_.sheet.sparkline.empty() && !sheet_->sparklines())
     warnings_.push_back("view.sparkline: no pane records \"" + view_.sheet.sparkline + "\"");
-  if (view_.look.style == Style::field && !std::all_of(frame_.panes.begin(), frame_.panes.end(), flat))
-    warnings_.emplace_back("view.style: fields are drawn in 2D only; in 3D particles are balls");
   for (const Pane& p : frame_.panes)
     for (const std::string& note : p.snapshot->notes)
       if (!contains(notes_, note)) notes_.push_back(note);
@@ -224,6 +223,7 @@ void Page::draw_over(gui::Ink& ink) const {
 void Page::draw_header(gui::Ink& ink) const {
   ink.text(layout_.title, Type::title, palette_.text, frame_.title);
   ink.text(layout_.time, Type::title, palette_.text, time_text(frame_.time), Align::right);
+  if (layout_.label.h > 0) ink.text(layout_.label, Type::strong, palette_.text, frame_.label);
   if (layout_.colour_bar.w > 0) draw_colour_bar(ink, layout_.colour_label, layout_.colour_bar, scale_, palette_);
 }
 

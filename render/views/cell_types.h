@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the solver takes the cells of a 2D pane for: tints of liquid and air under the particles, of solid cells over the
-// solids, the borders between kinds over all of it, and the key in the footer.
+// What the solver takes the cells of a 2D pane for: tints of liquid and air under the particles, of solid cells over
+// the solids, the borders between kinds over all of it, and the key in the footer.
 #pragma once
 
 #include "render/gui/ink.h"

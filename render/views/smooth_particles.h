@@ -3,8 +3,8 @@
 // alone. The surface is the one that the liquid's solver would find: balls around the particles, sampled at the centres
 // of cells that are two spacings wide,
 //   phi = min_p |x - x_p| - r,   r = 1.144 spacings (sim/fluid/level_set.h),
-// and values are means with the weights (1 - |x - x_p|^2 / R^2)^3, R two spacings. Walls mirror the particles near them,
-// so that the surface meets walls; across periodic sides they repeat themselves.
+// and values are means with the weights (1 - |x - x_p|^2 / R^2)^3, R two spacings. Walls mirror the particles near
+// them, so that the surface meets walls; across periodic sides they repeat themselves.
 #pragma once
 
 #include "render/views/lattice_pixels.h"

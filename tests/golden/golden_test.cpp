@@ -51,6 +51,13 @@ render::Frame dragged() {
   return f;
 }
 
+render::Frame labelled() {
+  render::Frame f = dam_frame(2);
+  f.labelled = true;
+  f.label = "Back to FLIP 1: too late, energy that was lost does not return";
+  return f;
+}
+
 render::Frame warned() {
   render::Frame f = two_dams();
   f.warnings = {"panes 1 and 2 show identical particles"};
@@ -259,6 +266,7 @@ std::vector<Case> cases() {
        }},
       {"one_pane", {}, [] { return one("dam_flip"); }},
       {"two_panes_light", {"view.theme=light", "view.show_panel=false"}, warned},
+      {"labelled", {"view.show_panel=false"}, labelled},
       {"four_panes_dragged", {}, dragged},
       {"four_panes_dragged_light", {"view.theme=light", "view.plots=kinetic,total"}, dragged},
       {"ledger_beside", {"view.ledger=total", "view.show_panel=false"}, [] { return ledger_frame(1); }, 854, 480},

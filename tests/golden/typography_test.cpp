@@ -61,7 +61,10 @@ render::Frame panes_of(std::size_t panes, bool space, bool wordy) {
     f.panes[i].snapshot = s;
     if (wordy) f.panes[i].title += ", quadratic, CFL 0.5, midpoint, no-slip walls, 256 × 256 cells";
   }
+  f.labelled = true;
+  f.label = "What the timeline says";
   if (!wordy) return f;
+  f.label += " at great length" + std::string(300, '-');
   f.title += " to energy, vorticity and everything else that a reader of this very long title could want to know";
   f.warnings = {"panes 1 and 2 show identical particles", "one that goes on " + std::string(400, '-') + " and on"};
   add_references(f, "total");
