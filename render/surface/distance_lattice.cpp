@@ -8,48 +8,85 @@
 namespace flipbook::render {
 namespace {
 
-constexpr float bridged = 0.5F;                          ///< weight above which particles count in full
+constexpr float bridged = 0.5F; ///< weight above which particles count in full
+constexpr float crowded = 7.2F; ///< weight a spacing below the surface (deeper down it is 8.8, at the surface 4.4)
+constexpr float surface_reach = 1.9F; ///< the surface is nowhere farther from a particle: there its weight is too small
+constexpr float far_away = 1e30F;
 constexpr float far_outside = 1.5F, deep_inside = -0.6F; ///< phi where it is not computed
 
 using Block = DistanceLattice::Block;
 
-/// Sums over the particles around each point of a block; positions from its middle, for their digits.
+/// A particle near a block, from its middle: small numbers keep their digits.
+struct Near {
+  std::array<float, 3> at;
+  float radius, value;
+};
+
+float weight(float squared_distance) {
+  const float q = std::max(0.F, 1 - squared_distance / (kernel_reach * kernel_reach));
+  return q * q * q;
+}
+
+/// Sums over the particles around each point of a block.
 struct Sums {
   alignas(32) std::array<float, DistanceLattice::points> w{}, x{}, y{}, z{}, radius{}, value{};
 
   /// Adds a particle to the points of one row, eight together.
-  void add(std::size_t row, const std::array<float, 8>& across, float rest, const std::array<float, 3>& at,
-           const Mote& m, bool valued) {
-    std::array<float, 8> weight{};
-    constexpr float scale = 1 / (kernel_reach * kernel_reach);
+  void add(std::size_t row, const std::array<float, 8>& across, float rest, const Near& p, bool valued) {
+    std::array<float, 8> share{};
+    for (std::size_t i = 0; i < 8; ++i) share[i] = weight(across[i] + rest);
     for (std::size_t i = 0; i < 8; ++i) {
-      const float q = std::max(0.F, 1 - scale * (across[i] + rest));
-      weight[i] = q * q * q;
+      w[row + i] += share[i];
+      x[row + i] += share[i] * p.at[0];
+      y[row + i] += share[i] * p.at[1];
+      z[row + i] += share[i] * p.at[2];
     }
-    for (std::size_t i = 0; i < 8; ++i) {
-      w[row + i] += weight[i];
-      x[row + i] += weight[i] * at[0];
-      y[row + i] += weight[i] * at[1];
-      z[row + i] += weight[i] * at[2];
-    }
-    for (std::size_t i = 0; i < 8; ++i) radius[row + i] += weight[i] * m.radius;
+    for (std::size_t i = 0; i < 8; ++i) radius[row + i] += share[i] * p.radius;
     if (valued)
-      for (std::size_t i = 0; i < 8; ++i) value[row + i] += weight[i] * m.value;
+      for (std::size_t i = 0; i < 8; ++i) value[row + i] += share[i] * p.value;
   }
 };
 
-/// The particles near a box, cube by cube.
-template <class Visit>
-void each_near(const ParticleCells& cells, const std::array<float, 3>& lo, const std::array<float, 3>& hi,
-               Visit&& visit) {
+/// The particles that reach into a block, and how far the nearest is from it, squared.
+float find_near(const ParticleCells& cells, const std::array<float, 3>& middle, float half, std::vector<Near>& found) {
   std::array<int, 3> from{}, to{};
   for (std::size_t a = 0; a < 3; ++a) {
-    from[a] = cells.cube(lo[a], a);
-    to[a] = cells.cube(hi[a], a);
+    from[a] = cells.cube(middle[a] - half - kernel_reach, a);
+    to[a] = cells.cube(middle[a] + half + kernel_reach, a);
   }
+  found.clear();
+  float nearest = far_away;
   for (int k = from[2]; k <= to[2]; ++k)
     for (int j = from[1]; j <= to[1]; ++j)
-      for (const Mote& m : cells.run(from[0], to[0], j, k)) visit(m);
+      for (const Mote& m : cells.run(from[0], to[0], j, k)) {
+        Near p{{}, m.radius, m.value};
+        float squared = 0;
+        for (std::size_t a = 0; a < 3; ++a) {
+          p.at[a] = m.x[a] - middle[a];
+          const float beyond = std::max(std::abs(p.at[a]) - half, 0.F);
+          squared += beyond * beyond;
+        }
+        nearest = std::min(nearest, squared);
+        if (squared < kernel_reach * kernel_reach) found.push_back(p);
+      }
+  return nearest;
+}
+
+/// Are there so many particles around 27 points of a block that all of it is inside? Not to be known where these are
+/// far from each other.
+bool is_deep(std::span<const Near> found, float half) {
+  if (half > 0.8F * kernel_reach) return false;
+  std::array<float, 27> sums{};
+  for (const Near& p : found)
+    for (std::size_t n = 0; n < 27; ++n) {
+      float squared = 0;
+      for (std::size_t a = 0, m = n; a < 3; ++a, m /= 3) {
+        const float d = p.at[a] - half * (static_cast<float>(m % 3) - 1);
+        squared += d * d;
+      }
+      sums[n] += weight(squared);
+    }
+  return *std::min_element(sums.begin(), sums.end()) > crowded;
 }
 
 } // namespace
@@ -134,33 +171,42 @@ void DistanceLattice::connect() {
       }
 }
 
-void DistanceLattice::sample(Block& b) const {
-  if (b.full && !valued_) return b.phi.fill(deep_inside);
+bool DistanceLattice::meets_side(const Block& b) const {
   const std::array<float, 3> lo = place(b, 0, 0, 0);
-  std::array<float, 3> from{}, to{}, middle{};
-  for (std::size_t a = 0; a < 3; ++a) {
-    middle[a] = lo[a] + 3.5F * step_;
-    from[a] = lo[a] - kernel_reach;
-    to[a] = lo[a] + 7 * step_ + kernel_reach;
-  }
+  for (std::size_t a = 0; a < 3; ++a)
+    if (lo[a] <= step_ || lo[a] + step_ * side >= cells_.size()[a]) return true;
+  return false;
+}
+
+void DistanceLattice::sample(Block& b) const {
+  const auto fill = [&](float phi) {
+    b.uniform = true;
+    b.phi.fill(phi);
+  };
+  const bool needs_values = valued_ && meets_side(b); // where phi has no zero but the domain may end
+  if (b.full && !needs_values) return fill(deep_inside);
+  const float half = 3.5F * step_;
+  std::array<float, 3> middle = place(b, 0, 0, 0);
+  for (float& x : middle) x += half;
+  std::vector<Near> found;
+  if (const float nearest = find_near(cells_, middle, half, found);
+      nearest > (surface_reach + step_) * (surface_reach + step_))
+    return fill(far_outside);
+  const bool deep = b.full || is_deep(found, half);
+  if (deep && !needs_values) return fill(deep_inside);
   const auto sums = std::make_unique<Sums>();
-  each_near(cells_, from, to, [&](const Mote& m) {
-    std::array<float, 3> at{};
-    for (std::size_t a = 0; a < 3; ++a) {
-      if (m.x[a] < from[a] || m.x[a] > to[a]) return;
-      at[a] = m.x[a] - middle[a];
-    }
+  for (const Near& p : found) {
     std::array<std::array<float, 8>, 3> squared{}; // distances along each axis
     for (std::size_t a = 0; a < 3; ++a)
       for (std::size_t i = 0; i < 8; ++i) {
-        const float d = step_ * (static_cast<float>(i) - 3.5F) - at[a];
+        const float d = step_ * (static_cast<float>(i) - 3.5F) - p.at[a];
         squared[a][i] = d * d;
       }
     for (std::size_t k = 0; k < 8; ++k)
       for (std::size_t j = 0; j < 8; ++j)
         if (const float rest = squared[1][j] + squared[2][k]; rest < kernel_reach * kernel_reach)
-          sums->add(8 * (j + 8 * k), squared[0], rest, at, m, valued_);
-  });
+          sums->add(8 * (j + 8 * k), squared[0], rest, p, valued_);
+  }
   for (int k = 0; k < side; ++k)
     for (int j = 0; j < side; ++j)
       for (int i = 0; i < side; ++i) {
@@ -175,7 +221,7 @@ void DistanceLattice::sample(Block& b) const {
         b.phi[n] = std::min(std::sqrt(dx * dx + dy * dy + dz * dz) - share * sums->radius[n] / w, far_outside);
         b.value[n] = sums->value[n] / w;
       }
-  if (b.full) b.phi.fill(deep_inside);
+  if (deep) fill(deep_inside);
 }
 
 std::size_t DistanceLattice::neighbour(int& i, int& j, int& k) {
@@ -222,22 +268,29 @@ void DistanceLattice::copy(const Block& b, int before, int after, std::vector<fl
 
 /// Nothing to smooth: phi is the same in all of the block and around it.
 bool DistanceLattice::is_flat(const Block& b) const {
-  return b.full && std::all_of(b.around.begin(), b.around.end(), [&](std::int32_t s) {
-           return s == inside || (s >= 0 && blocks_[static_cast<std::size_t>(s)].full);
+  return b.uniform && std::all_of(b.around.begin(), b.around.end(), [&](std::int32_t s) {
+           if (s < 0) return b.phi[0] == (s == inside ? deep_inside : far_outside);
+           const Block& other = blocks_[static_cast<std::size_t>(s)];
+           return other.uniform && other.phi[0] == b.phi[0];
          });
 }
 
 /// One pass over all blocks: a copy of each with a point more on every side, then axis by axis.
 void DistanceLattice::smooth(const Workers& workers) {
   constexpr std::size_t wide = side + 2;
-  std::vector<std::array<float, points>> smoothed(blocks_.size());
+  struct Smoothed {
+    std::array<float, points> phi;
+    bool uniform;
+  };
+  std::vector<Smoothed> smoothed(blocks_.size());
   in_pieces(workers, blocks_.size(), 16, [&](std::size_t begin, std::size_t end) {
     std::vector<float> copied, next(wide * wide * wide);
     for (std::size_t number = begin; number < end; ++number) {
       if (is_flat(blocks_[number])) {
-        smoothed[number] = blocks_[number].phi;
+        smoothed[number] = {blocks_[number].phi, true};
         continue;
       }
+      smoothed[number].uniform = false;
       copy(blocks_[number], 1, 1, copied);
       for (const std::size_t stride : {std::size_t{1}, wide, wide * wide}) {
         for (std::size_t m = stride; m + stride < copied.size(); ++m)
@@ -247,11 +300,14 @@ void DistanceLattice::smooth(const Workers& workers) {
       for (std::size_t k = 0; k < side; ++k)
         for (std::size_t j = 0; j < side; ++j)
           for (std::size_t i = 0; i < side; ++i)
-            smoothed[number][i + side * (j + side * k)] = copied[(i + 1) + wide * ((j + 1) + wide * (k + 1))];
+            smoothed[number].phi[i + side * (j + side * k)] = copied[(i + 1) + wide * ((j + 1) + wide * (k + 1))];
     }
   });
   in_pieces(workers, blocks_.size(), 64, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t b = begin; b < end; ++b) blocks_[b].phi = smoothed[b];
+    for (std::size_t b = begin; b < end; ++b) {
+      blocks_[b].phi = smoothed[b].phi;
+      blocks_[b].uniform = smoothed[b].uniform;
+    }
   });
 }
 

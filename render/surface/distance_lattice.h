@@ -21,6 +21,7 @@ public:
   struct Block {
     std::array<int, 3> at{}; ///< among the blocks
     bool full = false;       ///< so many particles everywhere around that only a wall can end the liquid here
+    bool uniform = false;    ///< phi is the same everywhere in it
     std::array<std::int32_t, 27> around{}; ///< slots of itself (13) and its neighbours, `outside` or `inside`
     std::array<float, points> phi{}, value{};
   };
@@ -52,6 +53,7 @@ private:
   [[nodiscard]] bool is_flat(const Block& b) const;
   void connect();
   void sample(Block& b) const;
+  [[nodiscard]] bool meets_side(const Block& b) const;
   void smooth(const Workers& workers);
   void close(Block& b) const;
 
