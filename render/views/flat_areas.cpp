@@ -26,7 +26,7 @@ struct Drop {
 std::vector<Drop> drops(const PaneView& pane, std::span<const float> values, const Pixels& phi) {
   const Snapshot& s = *pane.snapshot;
   std::vector<Drop> found;
-  const auto well_inside = static_cast<float>(-0.25 * spacing_of(s));
+  const auto well_inside = static_cast<float>(-0.1 * spacing_of(s));
   for (std::size_t p = 0; p < s.particles(); ++p) {
     const gui::Point at = pane.pixel(static_cast<double>(s.x[2 * p]), static_cast<double>(s.x[2 * p + 1]));
     const float x = at.x - static_cast<float>(phi.area.x), y = at.y - static_cast<float>(phi.area.y);
@@ -71,17 +71,20 @@ LatticeData without_gaps(LatticeData phi) {
     if (seen[start] != 0 || phi.values[start] < 0) continue;
     hole.assign(1, start);
     seen[start] = 1;
+    float sum = 0, count = 0;                       // of the liquid around it
     for (std::size_t k = 0; k < hole.size(); ++k) { // the list grows
       const std::size_t at = hole[k], x = at % nx, y = at / nx;
       const auto visit = [&](bool inside, std::size_t next) {
-        if (!inside || seen[next] != 0 || phi.values[next] < 0) return;
+        if (!inside) return;
+        if (phi.values[next] < 0) sum += phi.values[next], count += 1;
+        if (phi.values[next] < 0 || seen[next] != 0) return;
         seen[next] = 1;
         hole.push_back(next);
       };
       visit(x > 0, at - 1), visit(x + 1 < nx, at + 1), visit(y > 0, at - nx), visit(y + 1 < ny, at + nx);
     }
-    if (hole.size() > most) continue;
-    for (const std::size_t at : hole) phi.values[at] = -0.25F * phi.dx;
+    if (hole.size() > most || count == 0) continue;
+    for (const std::size_t at : hole) phi.values[at] = sum / count;
   }
   return phi;
 }
