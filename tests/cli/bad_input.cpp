@@ -227,7 +227,7 @@ TEST(Machine, NoFontsAreAWarningThatSaysWhereTheyWereLookedFor) {
                         {.environment = {{"FLIPBOOK_FONTS", "/nowhere"}}});
   EXPECT_EQ(o.code, 0);
   EXPECT_THAT(o.err, ::testing::HasSubstr("no DejaVuSans.ttf in /nowhere (package fonts-dejavu-core"));
-  EXPECT_EQ(f.files().size(), 3U);
+  EXPECT_EQ(f.files().size(), 4U); // the folder and three frames
 }
 
 TEST(Machine, NoGlSaysWhatWasTried) {
