@@ -42,7 +42,7 @@ TEST_P(WrongCommandLine, IsRefusedWithExitCode2) {
 const Case command_lines[] = {
     {"command", {"comapre", "dam_break"}, {"comapre", "\"compare\""}},
     {"global_option", {"--verison"}, {"\"--version\""}},
-    {"option", with({"compare", "dam_break", "--cels", "16"}, tiny), {"--cels", "\"--cells\""}},
+    {"option", with({"compare", "dam_break", "--celss", "16"}, tiny), {"--celss", "\"--cells\""}},
     {"missing_argument", {"render"}, {"STUDY"}},
     {"extra_argument", with({"render", "dam_break", "drop"}, tiny), {"drop"}},
     {"missing_value", {"render", "dam_break", "--fps"}, {"--fps"}},

@@ -161,8 +161,8 @@ TEST(History, EnergiesAddUpAndRowsThinOut) {
   }
   EXPECT_THAT(names, testing::ElementsAre("kinetic", "potential", "total", "transfer_loss", "momentum_x", "momentum_y",
                                           "angular_momentum_z", "momentum_drift", "divergence", "settled_volume",
-                                          "lost_p2g", "lost_free_faces", "lost_forces", "lost_walls", "lost_projection",
-                                          "lost_extrapolation", "lost_g2p", "lost_advection"));
+                                          "front", "height", "lost_p2g", "lost_free_faces", "lost_forces", "lost_walls",
+                                          "lost_projection", "lost_extrapolation", "lost_g2p", "lost_advection"));
   const std::size_t i = h.t.size() - 1;
   EXPECT_FLOAT_EQ(h.columns[2].y[i], h.columns[0].y[i] + h.columns[1].y[i]);
   EXPECT_GT(h.columns[0].y[i], 0);

@@ -119,8 +119,9 @@ TEST(TutorialPane, EnergiesAddUp) {
   const auto after = run.simulation->snapshot(1, {});
   std::vector<std::string> names;
   for (const auto& c : after->history->columns) names.push_back(c.name);
-  EXPECT_THAT(names, ElementsAre("kinetic", "potential", "total", "transfer_loss", "momentum_x", "momentum_y",
-                                 "momentum_z", "angular_momentum_x", "angular_momentum_y", "angular_momentum_z"));
+  EXPECT_THAT(names,
+              ElementsAre("kinetic", "potential", "total", "transfer_loss", "momentum_x", "momentum_y", "momentum_z",
+                          "angular_momentum_x", "angular_momentum_y", "angular_momentum_z", "front", "height"));
   const double mass = 1000 * std::pow(notes_h / 2, 3) * static_cast<double>(run.simulation->particles());
   const double speed = 9.80665 * notes_dt * 10; // of free fall
   EXPECT_NEAR(at(*after, "kinetic"), mass * speed * speed / 2, 1e-5 * mass * speed * speed);

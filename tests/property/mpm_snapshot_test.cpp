@@ -259,7 +259,7 @@ TEST(MpmSnapshot, HasTheCurvesOfItsLedger) {
   EXPECT_THAT(columns(*falling.solver.snapshot(0, {})),
               ElementsAre("kinetic", "potential", "elastic", "total", "transfer_loss", "lost_p2g", "lost_forces",
                           "lost_stress", "lost_contact", "lost_g2p", "lost_motion", "momentum_x", "momentum_y",
-                          "angular_momentum_z", "angular_momentum_ratio", "momentum_drift"));
+                          "angular_momentum_z", "angular_momentum_ratio", "momentum_drift", "front", "height"));
   scene.settings.fluid.gravity = {0, 0, 0};
   scene.settings.walls.axis.fill(Wall::periodic);
   MpmRun<2, double> free(scene);

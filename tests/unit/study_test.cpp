@@ -193,6 +193,7 @@ TEST(Study, PlotNamesAreTheColumnsOfTheLedger) {
   }
   std::vector<std::string> listed = plot_names();
   EXPECT_EQ(std::erase(listed, "lost"), 1U) << "stands for the columns of all stages";
+  EXPECT_EQ(std::erase(listed, "difference"), 1U) << "is of two panes, which no simulation knows";
   std::sort(found.begin(), found.end());
   std::sort(listed.begin(), listed.end());
   EXPECT_EQ(found, listed);
