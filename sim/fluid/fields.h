@@ -45,7 +45,8 @@ template <int Dim, class Real> [[nodiscard]] Field<Real> pressure_field(const Fl
 /// what the liquid beside them has.
 template <int Dim, class Real> [[nodiscard]] Field<Real> divergence_field(const FluidState<Dim, Real>& s, Pool& pool);
 
-/// What a request asks for of fields, of the surface and of the kinds of cells. The speed is given at every half cell.
+/// What a request asks for of fields, of the surface and of the kinds of cells, in 2D. The speed is given at every half
+/// cell.
 template <int Dim, class Real>
 [[nodiscard]] std::vector<LatticeData> image_lattices(const FluidState<Dim, Real>& s, const FrameRequest& request,
                                                       Pool& pool);
