@@ -228,7 +228,12 @@ void Pen::text(ChartPoint at, const std::string& text, double size, Colour colou
                                                                  : 0;
     use(size_of(p.run, size), weight_of(p.run, weight), p.run.italic);
     cairo_move_to(surface_->cr, left + p.x, at.y - rise);
-    cairo_show_text(surface_->cr, p.run.text.c_str());
+    if (sheet_.medium == Medium::pixels) { // Cairo before 1.18 would move each letter to a whole pixel
+      cairo_text_path(surface_->cr, p.run.text.c_str());
+      cairo_fill(surface_->cr);
+    } else {
+      cairo_show_text(surface_->cr, p.run.text.c_str());
+    }
   }
   const double up = std::max(capital, line.above ? above_line + script_size * capital : 0) * size;
   const double down = std::max(descender, line.below ? below_line + script_size * descender : 0) * size;
