@@ -154,7 +154,7 @@ TEST_F(PlotPages, WriteNoValueWhereACurveHasEndedInAGap) {
   const Frame f = curves_frame(1, {{"front", "m", [](auto, double t) { return t < 0.4 ? 0.25 + t : NAN; }}});
   const auto all = texts(f, {"view.plots=front"});
   EXPECT_THAT(all, Not(Contains(HasSubstr("nan"))));
-  EXPECT_THAT(all, Contains("front of the liquid, from the wall (m)"));
+  EXPECT_THAT(all, Contains("front, distance from the wall (m)"));
 }
 
 TEST(Apart, MovesOnlyWhatIsTooCloseAndAsLittleAsItCan) {
